@@ -1,0 +1,41 @@
+// Shape: what an object manager hands over: triangles, exactly intersected patches, or both, in the object's own space (metres).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace goniolux::geometry {
+
+/// Triangles. `parts[i]` is the index into Shape::partNames of triangle i. Counter-clockwise seen from outside.
+struct Mesh {
+  std::vector<core::Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> parts;
+};
+
+/// A patch of a quadric in canonical space, placed by an affine map, intersected in closed form in canonical space:
+/// disc:     x^2 + y^2 <= 1, z = 0, normal +z
+/// sphere:   x^2 + y^2 + z^2 = 1
+/// cylinder: x^2 + y^2 = 1, 0 <= z <= 1 (side only)
+/// cone:     x^2 + y^2 = (1 + (ratio - 1) z)^2, 0 <= z <= 1 (side only; radius 1 at z = 0, `ratio` at z = 1)
+struct QuadricPatch {
+  enum class Kind { disc, sphere, cylinder, cone };
+  Kind kind = Kind::disc;
+  double ratio = 0;
+  core::Mat4 placement{1.0};  ///< canonical -> object
+  std::uint32_t part = 0;
+};
+
+struct Shape {
+  std::vector<std::string> partNames;  ///< names that "materials" may use; at least one
+  Mesh mesh;
+  std::vector<QuadricPatch> patches;
+  bool closed = false;                 ///< bounds a volume: has an inside
+  double chordError = 0;               ///< m; largest distance between the true surface and its triangles
+};
+
+}  // namespace goniolux::geometry

@@ -1,0 +1,31 @@
+// CIE data: observers and illuminants by name. Tables stand in data/cie/*.csv beside the program, each with its source in the head.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spectrum/spectral_distribution.h"
+
+namespace goniolux::spectrum {
+
+/// Maximum luminous efficacy Km of radiation for photopic vision at 555.016 nm in air, lm/W (CIE 018:2019).
+inline constexpr double maximumLuminousEfficacy = 683.002;
+
+/// CIE 1931 2-degree colour-matching functions, 360-830 nm at 1 nm (CIE 018:2019); ybar is V(lambda).
+struct Observer {
+  SpectralDistribution xbar, ybar, zbar;
+};
+const Observer& cie1931();
+
+/// Melanopic action spectrum s_mel (CIE S 026:2018), 380-780 nm.
+const SpectralDistribution& melanopicAction();
+
+/// Built-in illuminants and lamps: "CIE A", "CIE D50", "CIE D65", "CIE E", "CIE FL1".."CIE FL12", "CIE LED-B1", "CIE HP1" …
+/// Relative spectral power. nullopt for an unknown name; illuminantNames() lists all.
+std::optional<SpectralDistribution> illuminant(const std::string& name);
+std::vector<std::string> illuminantNames();
+/// Planck's radiator at a temperature in kelvin, relative, 360-830 nm at 1 nm.
+SpectralDistribution blackbody(double kelvin);
+
+}  // namespace goniolux::spectrum
