@@ -1,0 +1,19 @@
+#include "pipeline/stages.h"
+
+namespace goniolux::pipeline {
+
+const std::vector<Stage>& stages() {
+  static const std::vector<Stage> list = {
+      // the main job
+
+      // from the project to its light
+
+      // from light to pictures
+
+      // files on their own
+
+  };
+  return list;
+}
+
+}  // namespace goniolux::pipeline

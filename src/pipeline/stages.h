@@ -1,0 +1,19 @@
+// The makers of the stages' registry entries, one per file of this room. To add a stage: write pipeline/<name>.cpp, declare
+// its maker here, and list it in stages.cpp.
+#pragma once
+
+#include "pipeline/stage.h"
+
+namespace goniolux::pipeline {
+
+Stage runStage();
+Stage checkStage();
+Stage planStage();
+Stage illuminateStage();
+Stage renderStage();
+Stage displayStage();
+Stage plotStage();
+Stage luminaireStage();
+Stage schemaStage();
+
+}  // namespace goniolux::pipeline
