@@ -21,17 +21,17 @@ struct StatedOpening {
   Shape shape = Shape::point;
   double length = 0, width = 0, height = 0;  ///< m; for disc, cylinder and sphere length = width = diameter
   bool lengthAlongC90 = false;               ///< EULUMDAT: length along C90; LM-63: along C0
-  std::string note;                          ///< for `other`: what the file says, e.g. "horizontal cylinder along the length"
+  std::string note;  ///< for `other`: what the file says, e.g. "horizontal cylinder along the length"
 };
 
 struct PhotometricFile {
   std::string file;
-  std::string format;                        ///< "LM-63-2002", "EULUMDAT", …
+  std::string format;                                         ///< "LM-63-2002", "EULUMDAT", …
   std::shared_ptr<const TabulatedDistribution> distribution;  ///< multiplier and ballast factors applied
-  std::string symmetry;                      ///< "rotational", "quadrant", "C0-C180", "C90-C270", "none"
-  bool absolute = false;                     ///< no lamp lumens: candelas are those of the luminaire
-  std::optional<double> declaredLumens;      ///< lamp lumens x lamps (relative photometry); none when absolute
-  double inputWatts = 0;                     ///< 0 = not stated
+  std::string symmetry;                  ///< "rotational", "quadrant", "C0-C180", "C90-C270", "none"
+  bool absolute = false;                 ///< no lamp lumens: candelas are those of the luminaire
+  std::optional<double> declaredLumens;  ///< lamp lumens x lamps (relative photometry); none when absolute
+  double inputWatts = 0;                 ///< 0 = not stated
   StatedOpening opening;
   std::map<std::string, std::string> keywords;  ///< MANUFAC, LUMCAT, …
   core::Diagnostics warnings;
@@ -43,8 +43,8 @@ using PhotometryReader = PhotometricFile (*)(std::string_view bytes, const std::
 /// A format of the registry: adding one is a file of its own and a line in formats.cpp.
 struct PhotometryFormat {
   std::string name, title;
-  std::vector<std::string> extensions;             ///< lower case, with the dot
-  bool (*recognises)(std::string_view bytes);      ///< by content; the extension is only a hint
+  std::vector<std::string> extensions;         ///< lower case, with the dot
+  bool (*recognises)(std::string_view bytes);  ///< by content; the extension is only a hint
   PhotometryReader read;
 };
 const std::vector<PhotometryFormat>& photometryFormats();
