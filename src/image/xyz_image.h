@@ -9,15 +9,17 @@ namespace goniolux::image {
 
 struct XyzImage {
   int width = 0, height = 0;
-  std::vector<float> x, y, z;                    ///< row by row from the top, width * height each
-  std::vector<float> halfWidth;                  ///< statistical half-width of Y, cd/m2; empty or width * height
-  std::map<std::string, std::string> attributes; ///< how it was made: seed, project hash, settings …
+  std::vector<float> x, y, z;                     ///< row by row from the top, width * height each
+  std::vector<float> halfWidth;                   ///< statistical half-width of Y, cd/m2; empty or width * height
+  std::map<std::string, std::string> attributes;  ///< how it was made: seed, project hash, settings …
 };
 
-/// OpenEXR with 32-bit float channels X, Y, Z (and "Y.halfWidth" where known), lossless compression, and the attributes beside the
-/// calibration ("photometricUnits": "cd/m2", "observer", "spectralRange_nm"). Throws core::RunError when it cannot be written.
+/// OpenEXR with 32-bit float channels X, Y, Z (and "Y.halfWidth" where known), lossless compression, and the attributes
+/// beside the calibration ("photometricUnits": "cd/m2", "observer", "spectralRange_nm"). Throws core::RunError when it
+/// cannot be written.
 void writeExr(const std::string& path, const XyzImage& image);
-/// Reads what writeExr wrote, or any EXR with channels X, Y, Z. Throws core::InputError (what is missing or damaged; what to do).
+/// Reads what writeExr wrote, or any EXR with channels X, Y, Z. Throws core::InputError (what is missing or damaged;
+/// what to do).
 XyzImage readExr(const std::string& path);
 
 }  // namespace goniolux::image

@@ -1,4 +1,5 @@
-// CIE data: observers and illuminants by name. Tables stand in data/cie/*.csv beside the program, each with its source in the head.
+// CIE data: observers and illuminants by name. Tables stand in data/cie/*.csv beside the program, each with its source
+// in the head.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,8 @@ const Observer& cie1931();
 /// Melanopic action spectrum s_mel (CIE S 026:2018), 380-780 nm.
 const SpectralDistribution& melanopicAction();
 
-/// Built-in illuminants and lamps: "CIE A", "CIE D50", "CIE D65", "CIE E", "CIE FL1".."CIE FL12", "CIE LED-B1", "CIE HP1" …
-/// Relative spectral power. nullopt for an unknown name; illuminantNames() lists all.
+/// Built-in illuminants and lamps: "CIE A", "CIE D50", "CIE D65", "CIE E", "CIE FL1".."CIE FL12", "CIE LED-B1", "CIE
+/// HP1" … Relative spectral power. nullopt for an unknown name; illuminantNames() lists all.
 std::optional<SpectralDistribution> illuminant(const std::string& name);
 std::vector<std::string> illuminantNames();
 /// Planck's radiator at a temperature in kelvin, relative, 360-830 nm at 1 nm.

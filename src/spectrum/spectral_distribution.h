@@ -1,5 +1,6 @@
-// SpectralDistribution: a function of wavelength, as a piecewise linear continuum plus ideal lines. Serves for spectral power
-// (relative), reflectance and transmittance alike. Wavelengths in nm. A value type: copies are independent, reading is thread safe.
+// SpectralDistribution: a function of wavelength, as a piecewise linear continuum plus ideal lines. Serves for spectral
+// power (relative), reflectance and transmittance alike. Wavelengths in nm. A value type: copies are independent,
+// reading is thread safe.
 #pragma once
 
 #include <span>
@@ -31,12 +32,14 @@ class SpectralDistribution {
 
   /// Continuum at a wavelength; lines are not part of it.
   [[nodiscard]] double continuum(double wavelength) const;
-  /// True when the continuum is one constant everywhere and there are no lines: a grey reflectance needs one spectral sample.
+  /// True when the continuum is one constant everywhere and there are no lines: a grey reflectance needs one spectral
+  /// sample.
   [[nodiscard]] bool isFlat() const;
   [[nodiscard]] std::span<const Sample> samples() const { return samples_; }
   [[nodiscard]] std::span<const Line> lines() const { return lines_; }
 
-  /// Exact integral over [from, to] of this times `weight`'s continuum; this distribution's lines count, weight's do not.
+  /// Exact integral over [from, to] of this times `weight`'s continuum; this distribution's lines count, weight's do
+  /// not.
   [[nodiscard]] double integral(const SpectralDistribution& weight, double from = 360, double to = 830) const;
   [[nodiscard]] double integral(double from = 360, double to = 830) const;
   /// Largest and smallest continuum value.

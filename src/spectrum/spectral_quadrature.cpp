@@ -1,0 +1,127 @@
+#include "spectrum/spectral_quadrature.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "spectrum/cie_data.h"
+#include "spectrum/product_integral.h"
+
+namespace goniolux::spectrum {
+namespace {
+
+constexpr double visibleFrom = 360, visibleTo = 830;  // the range of the observer's tables
+
+// The hat of node k: 1 at the node, straight down to 0 at its neighbours, and 1 beyond an outermost node. The hats sum
+// to 1.
+struct Hat {
+  SpectralDistribution shape;
+  double from, to;
+};
+
+std::vector<Hat> hats(const std::vector<double>& nodes) {
+  std::vector<Hat> result;
+  const std::size_t last = nodes.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    std::vector<SpectralDistribution::Sample> samples;
+    if (k > 0) samples.push_back({nodes[k - 1], 0});
+    samples.push_back({nodes[k], 1});
+    if (k < last) samples.push_back({nodes[k + 1], 0});
+    result.push_back({SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::hold),
+                      k > 0 ? nodes[k - 1] : visibleFrom, k < last ? nodes[k + 1] : visibleTo});
+  }
+  return result;
+}
+
+SpectralQuadrature quadrature(std::string scheme, std::vector<double> nodes,
+                              const std::vector<SpectralDistribution>& sources) {
+  SpectralQuadrature result{std::move(scheme), std::move(nodes), {}};
+  const auto shapes = hats(result.wavelengths);
+  const std::array<const SpectralDistribution*, responseChannels> channels{&cie1931().xbar, &cie1931().ybar,
+                                                                           &cie1931().zbar, &melanopicAction()};
+  for (const SpectralDistribution& source : sources) {
+    const double luminous = source.integral(cie1931().ybar, visibleFrom, visibleTo);
+    if (!(luminous > 0)) throw std::invalid_argument("a source spectrum has no luminous power");
+    auto& weights = result.weights.emplace_back(result.wavelengths.size());
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        // A line on a node belongs to that node's hat whole: its neighbours' hats are 0 there.
+        weights[k][c] =
+            integralOfProduct({&source, channels[c], &shapes[k].shape}, shapes[k].from, shapes[k].to) / luminous;
+      }
+    }
+  }
+  return result;
+}
+
+// Sum of the colour-matching functions; all three tables have the same wavelengths.
+SpectralDistribution everythingSeen() {
+  std::vector<SpectralDistribution::Sample> samples;
+  for (const auto& [wavelength, y] : cie1931().ybar.samples()) {
+    samples.push_back({wavelength, cie1931().xbar.continuum(wavelength) + y + cie1931().zbar.continuum(wavelength)});
+  }
+  return SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::zero);
+}
+
+// Solves M v = b in place (v holds b) for a symmetric, positive definite, tridiagonal M: Thomas' algorithm.
+void solve(std::vector<double>& diagonal, const std::vector<double>& beside, std::vector<double>& v) {
+  for (std::size_t k = 1; k < v.size(); ++k) {
+    const double factor = beside[k - 1] / diagonal[k - 1];
+    diagonal[k] -= factor * beside[k - 1];
+    v[k] -= factor * v[k - 1];
+  }
+  for (std::size_t k = v.size(); k-- > 0;) {
+    if (k + 1 < v.size()) v[k] -= beside[k] * v[k + 1];
+    v[k] /= diagonal[k];
+  }
+}
+
+}  // namespace
+
+SpectralQuadrature flatQuadrature(const std::vector<SpectralDistribution>& sources) {
+  return quadrature("flat:1", {550}, sources);
+}
+
+SpectralQuadrature uniformQuadrature(int count, const std::vector<SpectralDistribution>& sources) {
+  assert(count >= 1);
+  const bool wide = count >= 81;  // enough nodes to spend some on the faint ends of the visible range
+  const double from = wide ? visibleFrom : 400, to = wide ? visibleTo : 700;
+  std::vector<double> nodes;
+  for (int i = 0; i < count; ++i) nodes.push_back(count == 1 ? 550 : from + (to - from) * i / (count - 1));
+  return quadrature("uniform:" + std::to_string(count), std::move(nodes), sources);
+}
+
+std::vector<double> atNodes(const SpectralDistribution& distribution, const SpectralQuadrature& quadrature) {
+  const auto& nodes = quadrature.wavelengths;
+  const std::size_t count = nodes.size();
+  const auto range = distribution.range();
+  if (distribution.isFlat()) return std::vector<double>(count, range.first);
+
+  static const SpectralDistribution all = everythingSeen();
+  const SpectralDistribution& weight = count == 1 ? cie1931().ybar : all;
+  // Normal equations of the weighted least-squares fit: M v = b, M[j][k] = integral of hat_j hat_k weight
+  // (tridiagonal).
+  const auto shapes = hats(nodes);
+  std::vector<double> diagonal(count), beside(count), v(count), mean(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto& [shape, from, to] = shapes[k];
+    diagonal[k] = integralOfProduct({&weight, &shape, &shape}, from, to);
+    if (k + 1 < count) beside[k] = integralOfProduct({&weight, &shape, &shapes[k + 1].shape}, nodes[k], nodes[k + 1]);
+    v[k] = integralOfProduct({&weight, &shape, &distribution}, from, to);
+    mean[k] = v[k] / integralOfProduct({&weight, &shape}, from, to);
+  }
+  solve(diagonal, beside, v);
+  // Both the fit and the means keep the integral of the distribution times the weight, so any mixture of them does.
+  const double lowest = std::min(0.0, range.first), highest = std::max(1.0, range.second);
+  double fitted = 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (v[k] < lowest) fitted = std::min(fitted, (mean[k] - lowest) / (mean[k] - v[k]));
+    if (v[k] > highest) fitted = std::min(fitted, (highest - mean[k]) / (v[k] - mean[k]));
+  }
+  for (std::size_t k = 0; k < count; ++k) v[k] = std::clamp(mean[k] + fitted * (v[k] - mean[k]), lowest, highest);
+  return v;
+}
+
+}  // namespace goniolux::spectrum
