@@ -1,5 +1,5 @@
-// The makers of the stages' registry entries, one per file of this room. To add a stage: write pipeline/<name>.cpp, declare
-// its maker here, and list it in stages.cpp.
+// The makers of the stages' registry entries, one per file of this room. To add a stage: write pipeline/<name>.cpp,
+// declare its maker here, and list it in stages.cpp.
 #pragma once
 
 #include "pipeline/stage.h"
