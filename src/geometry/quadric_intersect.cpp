@@ -1,0 +1,155 @@
+#include "geometry/quadric_intersect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace goniolux::geometry {
+
+using core::Mat4;
+using core::Vec3;
+
+namespace {
+
+constexpr double rimSlack = 1e-9;
+
+// a b - c d with an error of 1.5 ulp. — Kahan's algorithm; Jeannerod, Louvet, Muller, Math. Comp. 82 (2013).
+double differenceOfProducts(double a, double b, double c, double d) {
+  const double cd = c * d;
+  const double error = std::fma(-c, d, cd);
+  return std::fma(a, b, -cd) + error;
+}
+
+// Roots of a t^2 + 2 b t + c = 0 in ascending order; false when there are none. With a = 0 one root is at infinity and
+// falls out of every later range test. — stable form, Press et al., Numerical Recipes, 3rd ed., (5.6.4)
+// A discriminant that is negative only within the rounding of a, b and c (of order `scale`) counts as 0: a ray from
+// inside a cone through its apex must not escape.
+bool solve(double a, double b, double c, double scale, double& t0, double& t1) {
+  double discriminant = differenceOfProducts(b, b, a, c);
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * scale;
+  if (discriminant < 0 && discriminant >= -rounding && std::abs(a) > 1e-3 * scale) discriminant = 0;
+  if (!(discriminant >= 0)) return false;
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+  if (q == 0 && a == 0) return false;
+  t0 = q == 0 ? 0 : c / q;
+  t1 = a == 0 ? std::copysign(HUGE_VAL, q) : q / a;
+  if (t0 > t1) std::swap(t0, t1);
+  return true;
+}
+
+double radiusAt(const QuadricPatch& patch, double z) {
+  return patch.kind == QuadricPatch::Kind::cone ? 1 + (patch.ratio - 1) * z : 1.0;
+}
+
+}  // namespace
+
+int intersectAll(const QuadricPatch& patch, const Vec3& origin, const Vec3& direction, double tMin, double tMax,
+                 double (&t)[2]) {
+  using Kind = QuadricPatch::Kind;
+  if (patch.kind == Kind::disc) {
+    if (direction.z == 0) return 0;
+    const double hit = -origin.z / direction.z;
+    const double x = origin.x + hit * direction.x, y = origin.y + hit * direction.y;
+    if (!(x * x + y * y <= 1 + 2 * rimSlack) || !(hit > tMin && hit < tMax)) return 0;
+    t[0] = hit;
+    return 1;
+  }
+
+  // Re-centre: from the point of the ray nearest to the patch's middle, coefficients are of order 1 however far away
+  // the ray began, and a ray that stays outside the bounding sphere is done. — Haines et al., "Precision Improvements
+  // for Ray/Sphere Intersection", Ray Tracing Gems (2019), ch. 7
+  const double lengthSquared = glm::dot(direction, direction);
+  if (!(lengthSquared > 0)) return 0;
+  const bool isSphere = patch.kind == Kind::sphere;
+  const Vec3 middle(0, 0, isSphere ? 0 : 0.5);
+  const double widest = std::max(1.0, radiusAt(patch, 1));
+  const double boundingRadiusSquared = isSphere ? 1.0 : widest * widest + 0.25;
+  const double shift = glm::dot(middle - origin, direction) / lengthSquared;
+  const Vec3 o = origin + shift * direction;
+  const Vec3& d = direction;
+  if (glm::dot(o - middle, o - middle) > boundingRadiusSquared * (1 + 4 * rimSlack)) return 0;
+
+  double a, b, c;
+  if (isSphere) {
+    a = lengthSquared;
+    b = glm::dot(o, d);
+    c = glm::dot(o, o) - 1;
+  } else {
+    // x^2 + y^2 = (1 + s z)^2 with s = ratio - 1 (0 for the cylinder)
+    const double s = patch.kind == Kind::cone ? patch.ratio - 1 : 0.0;
+    const double radius = 1 + s * o.z, slope = s * d.z;
+    a = d.x * d.x + differenceOfProducts(d.y, d.y, slope, slope);
+    b = o.x * d.x + differenceOfProducts(o.y, d.y, radius, slope);
+    c = o.x * o.x + differenceOfProducts(o.y, o.y, radius, radius);
+  }
+  double roots[2];
+  if (!solve(a, b, c, lengthSquared, roots[0], roots[1])) return 0;
+  int count = 0;
+  for (const double root : roots) {
+    const double hit = shift + root;
+    if (!(hit > tMin && hit < tMax)) continue;
+    if (!isSphere) {
+      const double z = o.z + root * d.z;
+      // The height also keeps the second nappe of a cone out: it begins beyond z = 1.
+      if (!(z >= -rimSlack && z <= 1 + rimSlack)) continue;
+    }
+    t[count++] = hit;
+  }
+  return count;
+}
+
+bool intersect(const QuadricPatch& patch, const Vec3& origin, const Vec3& direction, double tMin, double tMax,
+               double& t) {
+  double hits[2];
+  if (intersectAll(patch, origin, direction, tMin, tMax, hits) == 0) return false;
+  t = hits[0];
+  return true;
+}
+
+Vec3 canonicalNormal(const QuadricPatch& patch, const Vec3& point) {
+  switch (patch.kind) {
+    case QuadricPatch::Kind::disc:
+      return {0, 0, 1};
+    case QuadricPatch::Kind::sphere:
+      return point;
+    case QuadricPatch::Kind::cylinder:
+      return {point.x, point.y, 0};
+    case QuadricPatch::Kind::cone:
+      break;
+  }
+  const Vec3 gradient(point.x, point.y, (1 - patch.ratio) * radiusAt(patch, point.z));
+  // At the apex of a full cone the gradient vanishes; the axis is as good as any direction there.
+  return glm::dot(gradient, gradient) > 0 ? gradient : Vec3(0, 0, 1);
+}
+
+Bounds boundsOf(const QuadricPatch& patch, const Mat4& transform) {
+  const Mat4 map = transform * patch.placement;
+  const Vec3 x(map[0]), y(map[1]), z(map[2]), center(map[3]);
+  Bounds bounds;
+  const auto addCircle = [&](double height, double radius) {
+    // The support of an ellipse spanned by x and y along each world axis. — Quilez, "Disk - bounding box"
+    const Vec3 half = radius * glm::sqrt(x * x + y * y);
+    bounds.add(center + height * z - half);
+    bounds.add(center + height * z + half);
+  };
+  switch (patch.kind) {
+    case QuadricPatch::Kind::disc:
+      addCircle(0, 1);
+      break;
+    case QuadricPatch::Kind::sphere: {
+      const Vec3 half = glm::sqrt(x * x + y * y + z * z);
+      bounds.add(center - half);
+      bounds.add(center + half);
+      break;
+    }
+    case QuadricPatch::Kind::cylinder:
+    case QuadricPatch::Kind::cone:
+      addCircle(0, 1);
+      addCircle(1, radiusAt(patch, 1));
+      break;
+  }
+  return bounds;
+}
+
+}  // namespace goniolux::geometry
