@@ -1,0 +1,125 @@
+#include "app/cli/help.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "app/cli/common_options.h"
+
+namespace goniolux::app {
+namespace {
+
+using core::Parameter;
+
+constexpr std::size_t lineWidth = 100;
+
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t firstColumn) {
+  std::string out;
+  std::size_t column = firstColumn;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (column > indent && column + 1 + word.size() > lineWidth) {
+      out += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += word.size();
+  }
+  return out;
+}
+
+struct Row {
+  std::string name, text;
+};
+
+std::string table(const std::vector<Row>& rows) {
+  std::size_t width = 0;
+  for (const Row& row : rows) width = std::max(width, row.name.size());
+  std::string out;
+  for (const Row& row : rows)
+    out += fmt::format("  {:<{}}  {}\n", row.name, width, wrapped(row.text, width + 4, width + 4));
+  return out;
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::string details(const Parameter& parameter) {
+  std::string text = parameter.help.empty() ? parameter.title : parameter.help;
+  if (!parameter.unit.empty()) text += fmt::format(" [{}]", parameter.unit);
+  if (parameter.required) text += " (required)";
+  if (!parameter.defaultText.empty()) text += fmt::format(" (default: {})", parameter.defaultText);
+  return text;
+}
+
+// What stands for the option's value in a usage line: --view VIEW, --device FILE, --exposure N.
+std::string valueName(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case core::ParameterKind::number:
+    case core::ParameterKind::length:
+      return "N";
+    case core::ParameterKind::file:
+      return "FILE";
+    default:
+      return upper(parameter.key);
+  }
+}
+
+std::string inputText(const pipeline::Stage& stage) {
+  if (stage.inputName.empty()) return "";
+  return " " + stage.inputName + (stage.manyInputs ? "..." : "");
+}
+
+Row ownRow(const Parameter& parameter) {
+  return {fmt::format("    --{} {}", parameter.key, valueName(parameter)), details(parameter)};
+}
+
+Row commonRow(const CommonOption& option) {
+  const Parameter& parameter = option.parameter;
+  const std::string letter = option.letter ? fmt::format("-{}, ", option.letter) : std::string(4, ' ');
+  const std::string value = option.isFlag ? "" : " " + parameter.title;
+  return {letter + "--" + parameter.key + value, details(parameter)};
+}
+
+}  // namespace
+
+std::string programHelp() {
+  std::vector<Row> verbs;
+  for (const pipeline::Stage& stage : pipeline::stages()) verbs.push_back({stage.name + inputText(stage), stage.title});
+  return fmt::format(
+      "goniolux {}: lighting-design analysis in which every number has an interval that holds\n\n"
+      "usage: goniolux VERB INPUT [options]\n\nverbs:\n{}\n"
+      "  goniolux VERB --help    describes a verb and its options\n"
+      "  goniolux --version      prints the version\n\n"
+      "exit codes: 0 done; 1 a requirement failed; 2 bad input or usage, nothing written; 3 could not finish\n",
+      GONIOLUX_VERSION, table(verbs));
+}
+
+std::string verbHelp(const pipeline::Stage& stage) {
+  std::string required;
+  std::vector<Row> own, common;
+  for (const Parameter& parameter : stage.options) {
+    if (parameter.required) required += fmt::format(" --{} {}", parameter.key, valueName(parameter));
+    own.push_back(ownRow(parameter));
+  }
+  for (const CommonOption& option : commonOptions())
+    if (applies(option, stage)) common.push_back(commonRow(option));
+
+  std::string out =
+      fmt::format("usage: goniolux {}{}{} [options]\n\n{}.\n", stage.name, inputText(stage), required, stage.title);
+  if (!stage.help.empty()) out += wrapped(stage.help, 0, 0) + "\n";
+  if (!own.empty()) out += "\noptions of this verb:\n" + table(own);
+  return out + "\ncommon options:\n" + table(common);
+}
+
+}  // namespace goniolux::app
