@@ -7,33 +7,11 @@
 #include <stdexcept>
 
 #include "spectrum/cie_data.h"
+#include "spectrum/hats.h"
 #include "spectrum/product_integral.h"
 
 namespace goniolux::spectrum {
 namespace {
-
-constexpr double visibleFrom = 360, visibleTo = 830;  // the range of the observer's tables
-
-// The hat of node k: 1 at the node, straight down to 0 at its neighbours, and 1 beyond an outermost node. The hats sum
-// to 1.
-struct Hat {
-  SpectralDistribution shape;
-  double from, to;
-};
-
-std::vector<Hat> hats(const std::vector<double>& nodes) {
-  std::vector<Hat> result;
-  const std::size_t last = nodes.size() - 1;
-  for (std::size_t k = 0; k <= last; ++k) {
-    std::vector<SpectralDistribution::Sample> samples;
-    if (k > 0) samples.push_back({nodes[k - 1], 0});
-    samples.push_back({nodes[k], 1});
-    if (k < last) samples.push_back({nodes[k + 1], 0});
-    result.push_back({SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::hold),
-                      k > 0 ? nodes[k - 1] : visibleFrom, k < last ? nodes[k + 1] : visibleTo});
-  }
-  return result;
-}
 
 SpectralQuadrature quadrature(std::string scheme, std::vector<double> nodes,
                               const std::vector<SpectralDistribution>& sources) {
