@@ -1,0 +1,180 @@
+#include "geometry/mesh_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace goniolux::geometry {
+
+using core::Vec3;
+
+namespace {
+
+using EdgeKey = std::uint64_t;
+
+EdgeKey keyOf(std::uint32_t a, std::uint32_t b) {
+  return (EdgeKey(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+// One use of an edge by a triangle; `forward`: from the lower to the higher vertex number.
+struct Use {
+  std::uint32_t triangle;
+  bool forward;
+};
+
+std::unordered_map<EdgeKey, std::vector<Use>> usesOfEdges(const Mesh& mesh) {
+  std::unordered_map<EdgeKey, std::vector<Use>> uses;
+  uses.reserve(mesh.triangles.size() * 2);
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      uses[keyOf(a, b)].push_back({i, a < b});
+    }
+  }
+  return uses;
+}
+
+void flip(std::array<std::uint32_t, 3>& triangle) {
+  std::swap(triangle[1], triangle[2]);
+}
+
+struct CellHash {
+  std::size_t operator()(const std::array<std::int64_t, 3>& cell) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t c : cell) h = (h ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ULL + (h >> 29);
+    return static_cast<std::size_t>(h);
+  }
+};
+
+}  // namespace
+
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a, v = c - a, w = c - b;
+  const double longest = std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(w, w)});
+  return !(glm::length(glm::cross(u, v)) > 1e-10 * longest);
+}
+
+std::size_t removeDegenerateTriangles(Mesh& mesh) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    if (isDegenerate(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]])) continue;
+    mesh.triangles[kept] = t;
+    mesh.parts[kept] = mesh.parts[i];
+    ++kept;
+  }
+  const std::size_t dropped = mesh.triangles.size() - kept;
+  mesh.triangles.resize(kept);
+  mesh.parts.resize(kept);
+  return dropped;
+}
+
+void mergeVertices(Mesh& mesh, double tolerance) {
+  // A vertex joins the first one found in its cell of the grid or a neighbouring one.
+  std::unordered_map<std::array<std::int64_t, 3>, std::uint32_t, CellHash> cells;
+  cells.reserve(mesh.vertices.size());
+  std::vector<std::uint32_t> renamed(mesh.vertices.size());
+  std::vector<Vec3> kept;
+  const double pitch = std::max(tolerance, 1e-300);
+  const auto cellOf = [&](const Vec3& p) {
+    return std::array<std::int64_t, 3>{std::llround(p.x / pitch), std::llround(p.y / pitch), std::llround(p.z / pitch)};
+  };
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3& p = mesh.vertices[i];
+    const auto cell = cellOf(p);
+    const std::uint32_t none = UINT32_MAX;
+    std::uint32_t found = none;
+    for (int n = 0; n < 27 && found == none; ++n) {
+      const std::array<std::int64_t, 3> neighbour{cell[0] + (n % 3 + 1) % 3 - 1, cell[1] + (n / 3 % 3 + 1) % 3 - 1,
+                                                  cell[2] + (n / 9 + 1) % 3 - 1};
+      const auto it = cells.find(neighbour);
+      if (it != cells.end() && glm::distance(kept[it->second], p) <= tolerance) found = it->second;
+    }
+    if (found == none) {
+      found = static_cast<std::uint32_t>(kept.size());
+      kept.push_back(p);
+      cells.emplace(cell, found);
+    }
+    renamed[i] = found;
+  }
+  for (auto& t : mesh.triangles) {
+    for (auto& vertex : t) vertex = renamed[vertex];
+  }
+  mesh.vertices = std::move(kept);
+}
+
+EdgeReport checkEdges(const Mesh& mesh) {
+  EdgeReport report;
+  for (const auto& [key, uses] : usesOfEdges(mesh)) {
+    ++report.edges;
+    if (uses.size() == 1) {
+      ++report.boundary;
+    } else if (uses.size() > 2) {
+      ++report.nonManifold;
+    } else if (uses[0].forward == uses[1].forward) {
+      ++report.inconsistent;
+    }
+  }
+  return report;
+}
+
+EdgeReport orientOutward(Mesh& mesh) {
+  EdgeReport report = checkEdges(mesh);
+  if (report.inconsistent > 0) {
+    const auto uses = usesOfEdges(mesh);
+    enum : std::uint8_t { untouched, kept, turned };
+    std::vector<std::uint8_t> state(mesh.triangles.size(), untouched);
+    std::vector<std::uint32_t> shell;
+    for (std::uint32_t seed = 0; seed < state.size(); ++seed) {
+      if (state[seed] != untouched) continue;
+      state[seed] = kept;
+      shell.assign(1, seed);
+      for (std::size_t next = 0; next < shell.size(); ++next) {
+        const std::uint32_t i = shell[next];
+        for (unsigned k = 0; k < 3; ++k) {
+          const auto& t = mesh.triangles[i];  // as the file has it: turned ones are flipped when the shell is complete
+          const auto& sharing = uses.at(keyOf(t[k], t[(k + 1) % 3]));
+          if (sharing.size() != 2) continue;
+          const Use& mine = sharing[0].triangle == i ? sharing[0] : sharing[1];
+          const Use& other = sharing[0].triangle == i ? sharing[1] : sharing[0];
+          if (state[other.triangle] != untouched) continue;
+          const bool agrees = mine.forward != other.forward;
+          state[other.triangle] = agrees == (state[i] == kept) ? kept : turned;
+          shell.push_back(other.triangle);
+        }
+      }
+      Mesh part;
+      part.vertices = mesh.vertices;
+      for (const std::uint32_t i : shell) {
+        if (state[i] == turned) flip(mesh.triangles[i]);
+        part.triangles.push_back(mesh.triangles[i]);
+      }
+      if (signedVolume(part) < 0) {
+        for (const std::uint32_t i : shell) flip(mesh.triangles[i]);
+      }
+    }
+    report = checkEdges(mesh);
+  }
+  if (report.watertight() && signedVolume(mesh) < 0) {
+    for (auto& t : mesh.triangles) flip(t);
+  }
+  return report;
+}
+
+double signedVolume(const Mesh& mesh) {
+  if (mesh.vertices.empty()) return 0;
+  // Divergence theorem; from a vertex of the mesh, so that a solid far from the origin loses no digits.
+  const Vec3 reference = mesh.vertices.front();
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    sum += glm::dot(mesh.vertices[t[0]] - reference,
+                    glm::cross(mesh.vertices[t[1]] - reference, mesh.vertices[t[2]] - reference));
+  }
+  return sum / 6;
+}
+
+}  // namespace goniolux::geometry

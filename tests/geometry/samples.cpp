@@ -1,0 +1,43 @@
+#include "geometry/samples.h"
+
+#include <cmath>
+#include <fstream>
+
+namespace goniolux::geometry::test {
+
+using core::pi;
+using core::Vec3;
+
+std::vector<Sample> samples(const std::filesystem::path& folder) {
+  std::vector<Sample> list;
+  list.push_back({"box", "office", {{"min", Vec3(0)}, {"max", Vec3(6, 4, 3)}}, 2 * (24 + 18 + 12), 72});
+  list.push_back(
+      {"rectangle", "tilted", {{"origin", Vec3(1, 2, 3)}, {"u", Vec3(0, 3, 4)}, {"v", Vec3(2, 0, 0)}}, 10, 0});
+  list.push_back(
+      {"disc", "tilted", {{"center", Vec3(1, 2, 3)}, {"normal", Vec3(1, 1, 1)}, {"radius", 2.0}}, 4 * pi, 0});
+  list.push_back({"sphere", "globe", {{"center", Vec3(3, 2, 1)}, {"diameter", 1.0}}, pi, pi / 6});
+  list.push_back({"cylinder",
+                  "column",
+                  {{"base", Vec3(1, 1, 0)}, {"height", 3.0}, {"radius", 0.5}, {"caps", std::string("both")}},
+                  2 * pi * 0.5 * 3 + 2 * pi * 0.25,
+                  pi * 0.25 * 3});
+  list.push_back({"cylinder",
+                  "open tube",
+                  {{"base", Vec3(0)}, {"top", Vec3(1, 2, 2)}, {"radius", 0.1}, {"caps", std::string("none")}},
+                  2 * pi * 0.1 * 3,
+                  0});
+  list.push_back({"cone",
+                  "lampshade, solid",
+                  {{"base", Vec3(0, 0, 1)}, {"top", Vec3(0, 0, 5)}, {"radius", 1.0}, {"top_radius", 4.0}},
+                  pi * (1 + 4) * 5 + pi * (1 + 16),
+                  pi * 4 / 3 * (1 + 4 + 16)});
+  list.push_back({"cone",
+                  "pointed",
+                  {{"base", Vec3(1)}, {"height", 4.0}, {"axis", Vec3(1, 0, 0)}, {"radius", 3.0}, {"top_radius", 0.0}},
+                  pi * 3 * 5 + pi * 9,
+                  pi * 9 * 4 / 3});
+  (void)folder;
+  return list;
+}
+
+}  // namespace goniolux::geometry::test
