@@ -58,10 +58,10 @@ std::vector<std::string> optionNames(const Stage& stage) {
   return names;
 }
 
-// What CLI11 did not recognise: an option of another verb, a misspelt option, or an input too many.
-[[noreturn]] void refuseRemaining(const Stage& stage, const std::vector<std::string>& remaining) {
+// What CLI11 did not recognise: an option of another verb or a misspelt one.
+void refuseUnknownOptions(const Stage& stage, const std::vector<std::string>& remaining) {
   for (const std::string& argument : remaining) {
-    if (argument.size() < 2 || argument[0] != '-') continue;
+    if (argument == "--") continue;  // what ends the options; CLI11 hands it over as well
     const std::string name = argument.substr(0, argument.find('='));
     if (name == "--resume") usageError("not supported yet: --resume; run the job again without it");
     for (const CommonOption& option : commonOptions())
@@ -71,10 +71,18 @@ std::vector<std::string> optionNames(const Stage& stage) {
                         stage.name));
     const std::string close = core::closestName(name, optionNames(stage));
     usageError(fmt::format("'goniolux {}' has no option {}; {}goniolux {} --help lists the options", stage.name, name,
-                           close.empty() ? "" : fmt::format("did you mean {}? ", close), stage.name));
+                           close.empty() ? "" : fmt::format("did you mean '{}'? ", close), stage.name));
   }
-  usageError(fmt::format("'goniolux {}' takes {}; leave out '{}'", stage.name,
-                         stage.inputName.empty() ? "no input" : "one " + stage.inputName, remaining.front()));
+}
+
+void checkInputCount(const Stage& stage, const std::vector<std::string>& inputs) {
+  if (!stage.inputName.empty() && inputs.empty())
+    usageError(fmt::format("'goniolux {0}' needs {1}; goniolux {0} --help says more", stage.name,
+                           stage.manyInputs ? "one " + stage.inputName + " or more" : "a " + stage.inputName));
+  const std::size_t most = stage.inputName.empty() ? 0 : 1;
+  if (!stage.manyInputs && inputs.size() > most)
+    usageError(fmt::format("'goniolux {}' takes {}; leave out '{}'", stage.name,
+                           most == 0 ? "no input" : "one " + stage.inputName, inputs[most]));
 }
 
 double toNumber(const std::string& option, const Parameter& parameter, const std::string& text) {
@@ -156,10 +164,7 @@ CommandLine parseVerb(const Stage& stage, const std::vector<std::string>& argume
   parser.set_help_flag();
   parser.allow_extras();
   Texts texts;
-  if (!stage.inputName.empty()) {
-    CLI::Option* inputs = parser.add_option(stage.inputName, texts.inputs);
-    if (!stage.manyInputs) inputs->expected(1);
-  }
+  parser.add_option("inputs", texts.inputs);
   for (const Parameter& parameter : stage.options) addOption(parser, "--" + parameter.key, parameter.key, texts);
   for (const CommonOption& option : commonOptions()) {
     if (!applies(option, stage)) continue;
@@ -186,10 +191,8 @@ CommandLine parseVerb(const Stage& stage, const std::vector<std::string>& argume
     line.action = CommandLine::Action::printHelp;
     return line;
   }
-  if (const auto remaining = parser.remaining(); !remaining.empty()) refuseRemaining(stage, remaining);
-  if (!stage.inputName.empty() && texts.inputs.empty())
-    usageError(fmt::format("'goniolux {0}' needs {1}; goniolux {0} --help says more", stage.name,
-                           stage.manyInputs ? "one " + stage.inputName + " or more" : "a " + stage.inputName));
+  refuseUnknownOptions(stage, parser.remaining());
+  checkInputCount(stage, texts.inputs);
   line.request.inputs = texts.inputs;
   readCommonOptions(texts, line);
   readOwnOptions(stage, texts, line);
