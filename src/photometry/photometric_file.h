@@ -24,6 +24,15 @@ struct StatedOpening {
   std::string note;  ///< for `other`: what the file says, e.g. "horizontal cylinder along the length"
 };
 
+/// LM-63's table of lamp output against tilt. It is kept, not applied: the photometry is that of the untilted
+/// luminaire.
+struct TiltTable {
+  int lampToLuminaireGeometry =
+      1;                       ///< 1 lamp base up or down, 2 horizontal, turning with the tilt, 3 horizontal, across it
+  std::vector<double> angles;  ///< degrees
+  std::vector<double> factors;
+};
+
 struct PhotometricFile {
   std::string file;
   std::string format;                                         ///< "LM-63-2002", "EULUMDAT", …
@@ -31,9 +40,15 @@ struct PhotometricFile {
   std::string symmetry;                  ///< "rotational", "quadrant", "C0-C180", "C90-C270", "none"
   bool absolute = false;                 ///< no lamp lumens: candelas are those of the luminaire
   std::optional<double> declaredLumens;  ///< lamp lumens x lamps (relative photometry); none when absolute
-  double inputWatts = 0;                 ///< 0 = not stated
+  /// Luminous flux of the luminaire as the file states it (EULUMDAT: lamp flux x light output ratio; LM-63: a keyword).
+  std::optional<double> declaredLuminaireLumens;
+  std::optional<double> lightOutputRatio;  ///< as stated (EULUMDAT), 1 = all
+  std::optional<double> downwardFraction;  ///< as stated (EULUMDAT), 0..1
+  double inputWatts = 0;                   ///< 0 = not stated
   StatedOpening opening;
   std::map<std::string, std::string> keywords;  ///< MANUFAC, LUMCAT, …
+  std::optional<TiltTable> tilt;
+  bool radiometric = false;  ///< the file says that its "candelas" are mW/sr: nothing is converted
   core::Diagnostics warnings;
 };
 
@@ -48,6 +63,9 @@ struct PhotometryFormat {
   PhotometryReader read;
 };
 const std::vector<PhotometryFormat>& photometryFormats();
+
+/// Reads bytes of any registered format; the content decides, then the extension of `fileName`.
+PhotometricFile readPhotometry(std::string_view bytes, const std::string& fileName);
 
 /// Reads a photometric file of any registered format.
 PhotometricFile readPhotometricFile(const std::string& path);

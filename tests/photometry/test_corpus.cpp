@@ -1,0 +1,115 @@
+// Every photometric file of the shared corpus, against the fluxes of an independent reader (reference.tsv).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "core/document.h"
+#include "photometry/flux_check.h"
+#include "photometry/photometric_file.h"
+#include "photometry/sphere_quadrature.h"
+#include "support/shared_folder.h"
+
+namespace goniolux::photometry {
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, '\t');) fields.push_back(field);
+  return fields;
+}
+
+std::vector<Row> referenceRows(const std::filesystem::path& folder) {
+  std::ifstream file(folder / "reference.tsv");
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> names = split(line);
+  std::vector<Row> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> fields = split(line);
+    Row row;
+    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = i < fields.size() ? fields[i] : "";
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+class Corpus : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto shared = test::sharedFolder();
+    if (!shared) GTEST_SKIP() << test::sharedFolderIsAbsent;
+    folder_ = *shared / "corpus" / "photometry";
+    rows_ = referenceRows(folder_);
+    ASSERT_GT(rows_.size(), 300u);
+  }
+  [[nodiscard]] PhotometricFile read(const Row& row) const {
+    return readPhotometricFile((folder_ / row.at("file")).string());
+  }
+
+  std::filesystem::path folder_;
+  std::vector<Row> rows_;
+};
+
+double relative(double a, double b) {
+  return std::abs(a - b) / std::max(std::abs(b), 1e-300);
+}
+
+// The reference prints seven digits.
+TEST_F(Corpus, EveryReadableFileIsReadWithTheReferenceFluxAndPeak) {
+  int files = 0, fluxes = 0;
+  double worstExact = 0, worstZonal = 0;
+  for (const Row& row : rows_) {
+    if (row.at("readable") != "1") continue;
+    ++files;
+    SCOPED_TRACE(row.at("file"));
+    PhotometricFile file;
+    ASSERT_NO_THROW(file = read(row));
+    const TabulatedDistribution& d = *file.distribution;
+    if (row.at("flux_exact_lm").empty()) continue;  // a type B file whose H begins at 1: the reference gives no flux
+    ++fluxes;
+    const double exact = relative(d.flux(), std::stod(row.at("flux_exact_lm")));
+    EXPECT_LT(exact, 1e-4) << d.flux();
+    worstExact = std::max(worstExact, exact);
+    const double zonal = relative(zonalConstantFlux(d), std::stod(row.at("flux_zonal_lm")));
+    EXPECT_LT(zonal, 1e-4) << zonalConstantFlux(d);
+    worstZonal = std::max(worstZonal, zonal);
+    EXPECT_LT(relative(d.maximumIntensity(), std::stod(row.at("peak_cd"))), 1e-6) << d.maximumIntensity();
+    EXPECT_EQ(d.verticalAngles().size(), std::stoul(row.at("angles_per_plane")));
+    EXPECT_EQ(d.horizontalAngles().size(), std::stoul(row.at("planes")));
+  }
+  EXPECT_GE(files, 255);
+  RecordProperty("files", files);
+  std::cout << files << " files read, " << fluxes << " fluxes; worst disagreement exact " << worstExact << ", zonal "
+            << worstZonal << "\n";
+}
+
+TEST_F(Corpus, EveryUnreadableFileIsRefusedAtALine) {
+  int files = 0;
+  for (const Row& row : rows_) {
+    if (row.at("readable") == "1") continue;
+    ++files;
+    SCOPED_TRACE(row.at("file"));
+    try {
+      (void)read(row);
+      ADD_FAILURE() << "was read, although: " << row.at("refused_because");
+    } catch (const core::InputError& error) {
+      const core::Diagnostic& first = error.diagnostics().all().front();
+      EXPECT_GT(first.position.line, 0) << error.what();
+      EXPECT_FALSE(first.rule.empty());
+      if (row.at("kind") == "gldf" || row.at("kind") == "tm33-xml") {
+        EXPECT_NE(first.message.find("not supported yet"), std::string::npos) << error.what();
+      }
+    }
+  }
+  EXPECT_GE(files, 100);
+}
+
+}  // namespace
+}  // namespace goniolux::photometry
