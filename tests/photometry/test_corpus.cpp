@@ -90,6 +90,19 @@ TEST_F(Corpus, EveryReadableFileIsReadWithTheReferenceFluxAndPeak) {
             << worstZonal << "\n";
 }
 
+// Quadrature over directions with 0.5 x 1 degree panels; tables with narrower features are what 2e-3 is for.
+TEST_F(Corpus, FluxesOfASampleAreConfirmedByIndependentIntegration) {
+  int readable = 0, checked = 0;
+  for (const Row& row : rows_) {
+    if (row.at("readable") != "1" || ++readable % 10 != 0) continue;
+    const PhotometricFile file = read(row);
+    const double flux = file.distribution->flux();
+    EXPECT_NEAR(test::quadratureFlux(*file.distribution), flux, 2e-3 * flux) << row.at("file");
+    ++checked;
+  }
+  EXPECT_GE(checked, 25);
+}
+
 TEST_F(Corpus, EveryUnreadableFileIsRefusedAtALine) {
   int files = 0;
   for (const Row& row : rows_) {
