@@ -1,11 +1,10 @@
 // The tree is the architecture: these tests read the sources and hold them to docs/developer/house.json.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "house/rules.h"
+#include "support/generated_block.h"
 #include "support/temporary_folder.h"
 
 namespace goniolux::test {
@@ -132,19 +131,7 @@ TEST_F(BrokenHouse, APathOfOneMachineIsFoundWithItsLine) {
 }
 
 TEST(HousePicture, InTheArchitecturePageIsDrawnFromTheTable) {
-  const fs::path page = root / "docs/developer/architecture.md";
-  const std::string text = contentOf(page);
-  const std::string begin = "<!-- the house begins -->\n", end = "<!-- the house ends -->\n";
-  const std::size_t from = text.find(begin), to = text.find(end);
-  ASSERT_NE(from, std::string::npos) << page << " has no line " << begin;
-  ASSERT_NE(to, std::string::npos) << page << " has no line " << end;
-  const std::string drawn = drawHouse(theHouse());
-  if (std::getenv("GONIOLUX_UPDATE_PICTURE") != nullptr) {
-    std::ofstream(page, std::ios::binary) << text.substr(0, from + begin.size()) + drawn + text.substr(to);
-    GTEST_SKIP() << "the picture was drawn anew";
-  }
-  EXPECT_EQ(text.substr(from + begin.size(), to - from - begin.size()), drawn)
-      << "the table changed; draw the picture anew: GONIOLUX_UPDATE_PICTURE=1 build/release/bin/test_house";
+  expectGeneratedBlock(root / "docs/developer/architecture.md", "the house", drawHouse(theHouse()));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The folder of shared validation material (reference grids, a corpus of real photometric files), which is not part of the
-// repository. Tests that use it look for it here and skip, with a sentence, where it is absent:
+// The folder of shared validation material (reference grids, a corpus of real photometric files), which is not part of
+// the repository. Tests that use it look for it here and skip, with a sentence, where it is absent:
 //
 //   const auto shared = goniolux::test::sharedFolder();
 //   if (!shared) GTEST_SKIP() << goniolux::test::sharedFolderIsAbsent;
@@ -12,7 +12,8 @@
 namespace goniolux::test {
 
 inline constexpr const char* sharedFolderIsAbsent =
-    "the folder of shared validation material is absent: set GONIOLUX_SHARED, or put it beside the source tree as 'shared'";
+    "the folder of shared validation material is absent: set GONIOLUX_SHARED, or put it beside the source tree as "
+    "'shared'";
 
 /// GONIOLUX_SHARED if that names a folder, else the folder `shared` beside the source tree, else nothing.
 inline std::optional<std::filesystem::path> sharedFolder() {

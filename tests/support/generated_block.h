@@ -1,0 +1,32 @@
+// Part of a page that is written from data: between the lines <!-- NAME begins --> and <!-- NAME ends -->. The test
+// that expects it also writes it, when asked to: GONIOLUX_UPDATE_PAGES=1.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/temporary_folder.h"
+
+namespace goniolux::test {
+
+inline void expectGeneratedBlock(const std::filesystem::path& page, const std::string& name,
+                                 const std::string& generated) {
+  const std::string text = contentOf(page);
+  const std::string begin = "<!-- " + name + " begins -->\n", end = "<!-- " + name + " ends -->\n";
+  const std::size_t beginAt = text.find(begin), to = text.find(end);
+  ASSERT_NE(beginAt, std::string::npos) << page << " has no line " << begin;
+  ASSERT_NE(to, std::string::npos) << page << " has no line " << end;
+  const std::size_t from = beginAt + begin.size();
+  if (std::getenv("GONIOLUX_UPDATE_PAGES") != nullptr) {
+    std::ofstream(page, std::ios::binary) << text.substr(0, from) + generated + text.substr(to);
+    GTEST_SKIP() << "the part was written anew";
+  }
+  EXPECT_EQ(text.substr(from, to - from), generated)
+      << "what " << page << " is written from has changed; write it anew: GONIOLUX_UPDATE_PAGES=1 script/test";
+}
+
+}  // namespace goniolux::test
