@@ -9,6 +9,7 @@ const std::vector<Stage>& stages() {
       // from the project to its light
 
       // from light to pictures
+      displayStage(),
 
       // files on their own
 
