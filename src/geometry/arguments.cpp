@@ -8,44 +8,35 @@
 namespace goniolux::geometry {
 namespace {
 
-// A value of another kind than the entry declares is the reader's mistake, but still no reason to crash.
-template <typename T>
-const T* find(const core::Arguments& arguments, const std::string& key) {
-  const auto it = arguments.find(key);
-  if (it == arguments.end()) return nullptr;
-  const T* value = std::get_if<T>(&it->second);
-  if (!value) throw std::invalid_argument(fmt::format("\"{}\" is of the wrong kind", key));
-  return value;
-}
-
 [[noreturn]] void refuseNonFinite(const std::string& key) {
   throw std::invalid_argument(fmt::format("\"{}\" is not a finite number; give plain numbers", key));
 }
 
 }  // namespace
 
+void refuseMissing(const std::string& key) {
+  throw std::invalid_argument(fmt::format("\"{}\" is missing; add it", key));
+}
+
+void refuseKind(const std::string& key) {
+  throw std::invalid_argument(fmt::format("\"{}\" is of the wrong kind", key));
+}
+
 std::optional<double> optionalNumber(const core::Arguments& arguments, const std::string& key) {
-  const double* value = find<double>(arguments, key);
-  if (!value) return std::nullopt;
-  if (!std::isfinite(*value)) refuseNonFinite(key);
-  return *value;
+  const auto value = optional<double>(arguments, key);
+  if (value && !std::isfinite(*value)) refuseNonFinite(key);
+  return value;
 }
 
 std::optional<core::Vec3> optionalVector(const core::Arguments& arguments, const std::string& key) {
-  const core::Vec3* value = find<core::Vec3>(arguments, key);
-  if (!value) return std::nullopt;
-  if (!std::isfinite(value->x) || !std::isfinite(value->y) || !std::isfinite(value->z)) refuseNonFinite(key);
-  return *value;
-}
-
-std::optional<std::string> optionalText(const core::Arguments& arguments, const std::string& key) {
-  const std::string* value = find<std::string>(arguments, key);
-  return value ? std::optional<std::string>(*value) : std::nullopt;
+  const auto value = optional<core::Vec3>(arguments, key);
+  if (value && !std::isfinite(value->x + value->y + value->z)) refuseNonFinite(key);
+  return value;
 }
 
 core::Vec3 requiredVector(const core::Arguments& arguments, const std::string& key) {
   const auto value = optionalVector(arguments, key);
-  if (!value) throw std::invalid_argument(fmt::format("\"{0}\" is missing; add \"{0}\": [x, y, z]", key));
+  if (!value) refuseMissing(key);
   return *value;
 }
 

@@ -50,6 +50,21 @@ struct CellHash {
   }
 };
 
+template <typename Condition>
+std::size_t removeIf(Mesh& mesh, const Condition& condition) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (condition(mesh.triangles[i])) continue;
+    mesh.triangles[kept] = mesh.triangles[i];
+    mesh.parts[kept] = mesh.parts[i];
+    ++kept;
+  }
+  const std::size_t dropped = mesh.triangles.size() - kept;
+  mesh.triangles.resize(kept);
+  mesh.parts.resize(kept);
+  return dropped;
+}
+
 }  // namespace
 
 bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -58,19 +73,13 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   return !(glm::length(glm::cross(u, v)) > 1e-10 * longest);
 }
 
+std::size_t removeCollapsedTriangles(Mesh& mesh) {
+  return removeIf(mesh, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+}
+
 std::size_t removeDegenerateTriangles(Mesh& mesh) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& t = mesh.triangles[i];
-    if (isDegenerate(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]])) continue;
-    mesh.triangles[kept] = t;
-    mesh.parts[kept] = mesh.parts[i];
-    ++kept;
-  }
-  const std::size_t dropped = mesh.triangles.size() - kept;
-  mesh.triangles.resize(kept);
-  mesh.parts.resize(kept);
-  return dropped;
+  return removeIf(
+      mesh, [&](const auto& t) { return isDegenerate(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]); });
 }
 
 void mergeVertices(Mesh& mesh, double tolerance) {
@@ -163,6 +172,14 @@ EdgeReport orientOutward(Mesh& mesh) {
     for (auto& t : mesh.triangles) flip(t);
   }
   return report;
+}
+
+Bounds boundsOf(const Mesh& mesh) {
+  Bounds box;
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t vertex : t) box.add(mesh.vertices[vertex]);
+  }
+  return box;
 }
 
 double signedVolume(const Mesh& mesh) {

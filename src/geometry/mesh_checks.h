@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "geometry/bounds.h"
 #include "geometry/shape.h"
 
 namespace goniolux::geometry {
@@ -10,7 +11,9 @@ namespace goniolux::geometry {
 /// True when the triangle has no usable normal: its height over the longest edge is below 1e-10 of that edge.
 bool isDegenerate(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c);
 
-/// Drops degenerate triangles (and those that name a vertex twice); returns how many.
+/// Drops triangles that name a vertex twice; returns how many.
+std::size_t removeCollapsedTriangles(Mesh& mesh);
+/// Drops degenerate triangles (collapsed ones included); returns how many.
 std::size_t removeDegenerateTriangles(Mesh& mesh);
 
 /// Vertices closer than `tolerance` (metres, on a grid of that pitch) become one: readers of formats that repeat each
@@ -32,6 +35,9 @@ EdgeReport checkEdges(const Mesh& mesh);
 /// Turns triangles so that neighbours agree and, where the mesh is watertight then, so that its volume is positive.
 /// Returns the report afterwards. Meshes that agree already keep the sign of each of their shells (cavities).
 EdgeReport orientOutward(Mesh& mesh);
+
+/// Bounding box of the vertices that triangles use.
+Bounds boundsOf(const Mesh& mesh);
 
 /// Signed volume that a watertight mesh encloses: positive when its triangles turn counter-clockwise seen from outside.
 double signedVolume(const Mesh& mesh);

@@ -6,6 +6,9 @@
 #include "geometry/cone.h"
 #include "geometry/cylinder.h"
 #include "geometry/disc.h"
+#include "geometry/mesh_import.h"
+#include "geometry/polygon.h"
+#include "geometry/polyhedron.h"
 #include "geometry/rectangle.h"
 #include "geometry/sphere.h"
 
@@ -13,7 +16,17 @@ namespace goniolux::geometry {
 
 const std::vector<ObjectType>& objectTypes() {
   static const std::vector<ObjectType> types{
-      boxType(), rectangleType(), discType(), sphereType(), cylinderType(), coneType(),
+      // clang-format off
+      boxType(),
+      rectangleType(),
+      polygonType(),
+      discType(),
+      sphereType(),
+      cylinderType(),
+      coneType(),
+      polyhedronType(),
+      meshType(),
+      // clang-format on
   };
   return types;
 }

@@ -51,7 +51,7 @@ Axis axisArgument(const core::Arguments& arguments) {
 }
 
 Caps capsArgument(const core::Arguments& arguments) {
-  const std::string text = optionalText(arguments, "caps").value_or("both");
+  const std::string text = optional<std::string>(arguments, "caps").value_or("both");
   if (text == "both") return Caps::both;
   if (text == "none") return Caps::none;
   if (text == "bottom") return Caps::bottom;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct Shape {
   std::vector<QuadricPatch> patches;
   bool closed = false;                 ///< bounds a volume: has an inside
   double chordError = 0;               ///< m; largest distance between the true surface and its triangles
+  /// Names from a file that stand for several parts (a group with several materials), as ObjectType::partGroups do.
+  std::map<std::string, std::vector<std::string>> partGroups = {};
+  std::vector<std::string> remarks = {};  ///< what a designer should know: a reader passes them on as warnings
 };
 
 }  // namespace goniolux::geometry

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <vector>
 
 namespace goniolux::geometry::test {
 
@@ -36,7 +37,28 @@ std::vector<Sample> samples(const std::filesystem::path& folder) {
                   {{"base", Vec3(1)}, {"height", 4.0}, {"axis", Vec3(1, 0, 0)}, {"radius", 3.0}, {"top_radius", 0.0}},
                   pi * 3 * 5 + pi * 9,
                   pi * 9 * 4 / 3});
-  (void)folder;
+  list.push_back({"polygon",
+                  "wall with a window, upright",
+                  {{"vertices", std::vector<Vec3>{{0, 1, 0}, {5, 1, 0}, {5, 1, 3}, {2, 1, 3}, {2, 1, 2}, {0, 1, 2}}},
+                   {"holes", std::vector<std::vector<Vec3>>{{{3, 1, 1}, {4, 1, 1}, {4, 1, 2}, {3, 1, 2}}}}},
+                  5 * 3 - 2 - 1,
+                  0});
+  // A wedge, two faces of which turn the wrong way: the shape puts them right.
+  list.push_back(
+      {"polyhedron",
+       "roof",
+       {{"vertices", std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {4, 6, 0}, {0, 6, 0}, {2, 0, 1.5}, {2, 6, 1.5}}},
+        {"faces", std::vector<std::vector<int>>{{0, 3, 2, 1}, {0, 1, 4}, {2, 5, 3}, {1, 2, 5, 4}, {0, 3, 5, 4}}}},
+       24 + 2 * 3 + 2 * 15,
+       18});
+  std::ofstream(folder / "box.obj") << "v 0 0 0\nv 100 0 0\nv 100 200 0\nv 0 200 0\nv 0 0 300\nv 100 0 300\n"
+                                       "v 100 200 300\nv 0 200 300\n"
+                                       "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 1 5 8 4\nf 2 3 7 6\n";
+  list.push_back({"mesh",
+                  "box in centimetres",
+                  {{"file", (folder / "box.obj").string()}, {"units", std::string("cm")}},
+                  2 * (2 + 3 + 6),
+                  6});
   return list;
 }
 
