@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,7 @@
 
 #include "core/diagnostics.h"
 #include "core/document.h"
+#include "core/parallel.h"
 #include "image/xyz_image.h"
 #include "spectrum/hats.h"
 
@@ -108,7 +110,7 @@ void checkChannels(const Imf::ChannelList& channels, const std::string& path) {
 }
 
 XyzImage decode(std::string_view bytes, const std::string& path) {
-  Imf::Header::setMaxImageSize(largestSide, largestSide);
+  Imf::Header::setMaxImageSize(largestSide, largestSide);  // the library's, for all files: before any thread reads
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
   const Imf::Header& header = file.header();
@@ -139,8 +141,17 @@ XyzImage decode(std::string_view bytes, const std::string& path) {
   add("Y", image.y);
   add("Z", image.z);
   if (header.channels().findChannel(halfWidthChannel) != nullptr) add(halfWidthChannel, image.halfWidth);
-  file.setFrameBuffer(buffer);
-  file.readPixels(window.min.y, window.max.y);
+  // Bands of lines are unpacked on all threads, each by a reader of its own; no packing method joins more lines than a
+  // band has.
+  constexpr int bandLines = 256;
+  const auto bands = static_cast<std::size_t>((height + bandLines - 1) / bandLines);
+  core::parallelFor(bands, 1, [&](std::size_t first, std::size_t last) {
+    MemoryInput bandStream(bytes);
+    Imf::InputFile band(bandStream);
+    band.setFrameBuffer(buffer);
+    band.readPixels(window.min.y + static_cast<int>(first) * bandLines,
+                    std::min(window.max.y, window.min.y + static_cast<int>(last) * bandLines - 1));
+  });
   for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
     if (text != nullptr) image.attributes[attribute.name()] = text->value();

@@ -35,8 +35,11 @@ class SpectralDistribution {
   /// True when the continuum is one constant everywhere and there are no lines: a grey reflectance needs one spectral
   /// sample.
   [[nodiscard]] bool isFlat() const;
-  [[nodiscard]] std::span<const Sample> samples() const { return samples_; }
-  [[nodiscard]] std::span<const Line> lines() const { return lines_; }
+  /// Views into this object; not of one that ends with the statement.
+  [[nodiscard]] std::span<const Sample> samples() const& { return samples_; }
+  std::span<const Sample> samples() const&& = delete;
+  [[nodiscard]] std::span<const Line> lines() const& { return lines_; }
+  std::span<const Line> lines() const&& = delete;
 
   /// Exact integral over [from, to] of this times `weight`'s continuum; this distribution's lines count, weight's do
   /// not.
