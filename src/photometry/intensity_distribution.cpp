@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "photometry/arc_tangent.h"
+
 namespace goniolux::photometry {
 namespace {
 
@@ -113,7 +115,10 @@ std::optional<HorizontalSymmetry> horizontalSymmetry(PhotometryType type, const 
 AngleAxis::AngleAxis(std::vector<double> degrees) : degrees_(std::move(degrees)) {
   if (degrees_.size() < 2) return;
   double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < degrees_.size(); ++i) smallest = std::min(smallest, degrees_[i + 1] - degrees_[i]);
+  for (std::size_t i = 0; i + 1 < degrees_.size(); ++i) {
+    smallest = std::min(smallest, degrees_[i + 1] - degrees_[i]);
+    inverseSteps_.push_back(1 / (degrees_[i + 1] - degrees_[i]));
+  }
   // Bins no wider than the smallest step hold at most one angle, so the search ends after one comparison; the limit
   // keeps memory bounded by the table's size.
   const double range = last() - first();
@@ -136,7 +141,7 @@ AngleAxis::Place AngleAxis::find(double degrees) const {
   std::size_t i = firstInterval_[static_cast<std::size_t>(offset * binsPerDegree_)];
   while (i > 0 && degrees < degrees_[i]) --i;  // only where a bin's edge was rounded past an angle
   while (degrees >= degrees_[i + 1]) ++i;
-  return {i, (degrees - degrees_[i]) / (degrees_[i + 1] - degrees_[i])};
+  return {i, (degrees - degrees_[i]) * inverseSteps_[i]};
 }
 
 TabulatedDistribution::TabulatedDistribution(PhotometryType type, std::vector<double> horizontal,
@@ -213,6 +218,7 @@ double TabulatedDistribution::fold(double horizontalDegrees) const {
   if (symmetry_ == HorizontalSymmetry::rotational) return 0;
   double angle = horizontalDegrees;
   if (type_ != PhotometryType::c) return symmetry_ == HorizontalSymmetry::lateral ? std::abs(angle) : angle;
+  angle += 360.0 * static_cast<double>(angle < 0);  // the usual range -180..180, without a branch to mispredict
   if (angle < 0 || angle >= 360) angle -= 360 * std::floor(angle / 360);
   switch (symmetry_) {
     case HorizontalSymmetry::aboutC0:
@@ -249,18 +255,18 @@ double TabulatedDistribution::intensity(const core::Vec3& local) const {
   constexpr double perRadian = 180 / pi;
   switch (type_) {
     case PhotometryType::a: {
-      const double v = std::atan2(local.y, std::hypot(local.x, local.z));
-      return atAngles(std::atan2(local.x, local.z) * perRadian, v * perRadian);
+      const double v = arcTangent(local.y, std::sqrt(local.x * local.x + local.z * local.z));
+      return atAngles(arcTangent(local.x, local.z) * perRadian, v * perRadian);
     }
     case PhotometryType::b: {
-      const double h = std::atan2(local.x, std::hypot(local.y, local.z));
-      return atAngles(h * perRadian, std::atan2(local.y, local.z) * perRadian);
+      const double h = arcTangent(local.x, std::sqrt(local.y * local.y + local.z * local.z));
+      return atAngles(h * perRadian, arcTangent(local.y, local.z) * perRadian);
     }
     case PhotometryType::c:
       break;
   }
-  const double gamma = std::atan2(std::sqrt(local.x * local.x + local.y * local.y), local.z) * perRadian;
-  const double c = symmetry_ == HorizontalSymmetry::rotational ? 0 : std::atan2(local.y, local.x) * perRadian;
+  const double gamma = arcTangent(std::sqrt(local.x * local.x + local.y * local.y), local.z) * perRadian;
+  const double c = symmetry_ == HorizontalSymmetry::rotational ? 0 : arcTangent(local.y, local.x) * perRadian;
   return atAngles(c, gamma);
 }
 

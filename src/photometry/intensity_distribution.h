@@ -96,7 +96,7 @@ class AngleAxis {
   [[nodiscard]] double last() const { return degrees_.back(); }
 
  private:
-  std::vector<double> degrees_;
+  std::vector<double> degrees_, inverseSteps_;
   std::vector<std::uint32_t> firstInterval_;  // per bin of equal width: the interval that holds the bin's lower edge
   double binsPerDegree_ = 0;
 };

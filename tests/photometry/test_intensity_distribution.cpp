@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "photometry/arc_tangent.h"
 #include "photometry/sphere_quadrature.h"
 
 namespace goniolux::photometry {
@@ -216,6 +217,21 @@ TEST(AngleAxis, FindsTheIntervalOfEveryAngle) {
       EXPECT_TRUE(place.fraction == 0 || place.fraction == 1);
     }
   }
+}
+
+TEST(ArcTangent, AgreesWithTheStandardLibraryInEveryQuadrant) {
+  std::mt19937 generator(3);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100000; ++i) {
+    const double x = normal(generator), y = normal(generator) * std::pow(10, -(i % 17));
+    ASSERT_NEAR(arcTangent(y, x), std::atan2(y, x), 5e-16 * (1 + std::abs(std::atan2(y, x)))) << y << " " << x;
+    ASSERT_NEAR(arcTangent(x, y), std::atan2(x, y), 5e-16 * (1 + std::abs(std::atan2(x, y)))) << x << " " << y;
+  }
+  EXPECT_EQ(arcTangent(0, 1), 0);
+  EXPECT_EQ(arcTangent(0, 0), 0);
+  EXPECT_DOUBLE_EQ(arcTangent(1, 0), pi / 2);
+  EXPECT_DOUBLE_EQ(arcTangent(0, -1), pi);
+  EXPECT_DOUBLE_EQ(arcTangent(-1, -1), -0.75 * pi);
 }
 
 }  // namespace
