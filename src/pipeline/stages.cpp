@@ -12,7 +12,7 @@ const std::vector<Stage>& stages() {
       displayStage(),
 
       // files on their own
-
+      luminaireStage(),
   };
   return list;
 }
