@@ -7,12 +7,14 @@ const std::vector<Stage>& stages() {
       // the main job
 
       // from the project to its light
+      checkStage(),
 
       // from light to pictures
       displayStage(),
 
       // files on their own
       luminaireStage(),
+      schemaStage(),
   };
   return list;
 }

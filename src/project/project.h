@@ -26,7 +26,7 @@ struct Settings {
   std::string solver = "auto";
   std::string reflectionModel = "material";
   std::string spectralScheme = "auto";
-  int spectralSamples = 0;                 ///< 0 = the scheme's choice
+  int spectralSamples = 0;  ///< 0 = the scheme's choice
   int treeMaxDepth = 15;
   double treeCutoff = 0.001;
   bool treeAdaptive = true;
@@ -43,12 +43,12 @@ struct LightingScene {
 };
 
 struct InputFile {
-  std::string path;    ///< as written in the project
+  std::string path;  ///< as written in the project
   std::string sha256;
 };
 
 struct Project {
-  std::string name, file, folder;          ///< file: the project.json, folder: where it stands
+  std::string name, file, folder;  ///< file: the project.json, folder: where it stands
   std::string units = "m";
   scene::Environment environment;
   std::vector<analysis::Grid> grids;
@@ -57,12 +57,13 @@ struct Project {
   std::vector<scene::View> views;
   std::vector<LightingScene> scenes;
   Settings settings;
-  std::vector<InputFile> inputs;           ///< every file read, the project file first
-  std::string hash;                        ///< sha256 over all inputs: identifies what was calculated
+  std::vector<InputFile> inputs;  ///< every file read, the project file first
+  std::string hash;               ///< sha256 over all inputs: identifies what was calculated
   core::Diagnostics warnings;
 };
 
-/// Overrides from the command line: "KEY=VALUE" for any settings key, e.g. "tree.cutoff=0.01", and a lighting scene's name.
+/// Overrides from the command line: "KEY=VALUE" for any settings key, e.g. "tree.cutoff=0.01", and a lighting scene's
+/// name.
 struct Overrides {
   std::vector<std::string> settings;
   std::optional<std::string> scene;

@@ -1,0 +1,69 @@
+// Stage `check`: reads a project with everything that it refers to, and lists every error and warning.
+#include <fmt/format.h>
+
+#include "pipeline/stages.h"
+#include "project/project.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+core::Value listed(const core::Diagnostics& diagnostics, core::Severity severity) {
+  core::Value::Array list;
+  for (const core::Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity != severity) continue;
+    core::Value entry;
+    entry.set("file", diagnostic.position.file);
+    entry.set("line", diagnostic.position.line);
+    entry.set("column", diagnostic.position.column);
+    entry.set("rule", diagnostic.rule);
+    entry.set("message", diagnostic.message);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+std::string count(std::size_t number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+std::string summary(const project::Project& project) {
+  return fmt::format("{}: {}, {}, {}, {}", project.name, count(project.environment.objects.size(), "object"),
+                     count(project.environment.luminaires.size(), "luminaire"), count(project.grids.size(), "grid"),
+                     count(project.views.size(), "view"));
+}
+
+StageReport run(const StageRequest& request, core::ProgressSink&) {
+  StageReport report;
+  core::Diagnostics found;
+  try {
+    const project::Project project =
+        project::readProject(request.inputs.front(), {request.common.set, request.common.scene});
+    found = project.warnings;
+    report.text = summary(project) + "\n";
+  } catch (const core::InputError& error) {
+    // The errors are what this stage was asked for: they are its result, and the exit code still says that input is
+    // bad.
+    found = error.diagnostics();
+    report.inputFailed = true;
+  }
+  report.json.set("errors", listed(found, core::Severity::error));
+  report.json.set("warnings", listed(found, core::Severity::warning));
+  for (const core::Diagnostic& diagnostic : found.all()) report.text += core::toString(diagnostic) + "\n";
+  report.text += fmt::format("{}, {}\n", count(report.json.find("errors")->array().size(), "error"),
+                             count(report.json.find("warnings")->array().size(), "warning"));
+  return report;
+}
+
+}  // namespace
+
+Stage checkStage() {
+  Stage stage;
+  stage.name = "check";
+  stage.title = "Check a project";
+  stage.help = "Reads a project and every file that it refers to, and lists all errors and warnings with their places.";
+  stage.inputName = "PROJECT";
+  stage.run = run;
+  return stage;
+}
+
+}  // namespace goniolux::pipeline

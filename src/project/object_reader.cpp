@@ -1,0 +1,172 @@
+#include "project/object_reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/closest_name.h"
+#include "project/arguments_reader.h"
+#include "project/section_reader.h"
+#include "project/transform_reader.h"
+
+namespace goniolux::project {
+namespace {
+
+std::vector<std::string> shapeNames() {
+  std::vector<std::string> names;
+  for (const geometry::ObjectType& type : geometry::objectTypes()) names.push_back(type.name);
+  return names;
+}
+
+const geometry::ObjectType* typeOf(const core::Value& value, Reading& reading) {
+  const core::Value* shape = value.find("shape");
+  if (!shape) {
+    reading.error(value, "missing-key", fmt::format("an object needs \"shape\": {}", fmt::join(shapeNames(), ", ")));
+    return nullptr;
+  }
+  const auto name = readText(*shape, {.name = "shape", .form = Form::text}, reading);
+  if (!name) return nullptr;
+  if (const geometry::ObjectType* type = geometry::findObjectType(*name)) return type;
+  const auto& planned = geometry::plannedObjectTypes();
+  if (std::find(planned.begin(), planned.end(), *name) != planned.end()) {
+    reading.notSupported(shape->position(),
+                         fmt::format("the shape \"{}\"; this version knows {}", *name, fmt::join(shapeNames(), ", ")));
+  } else {
+    reading.error(*shape, "unknown-shape",
+                  fmt::format("there is no shape \"{}\"{}", *name, core::suggestion(*name, shapeNames())));
+  }
+  return nullptr;
+}
+
+class MaterialNames {
+ public:
+  MaterialNames(const std::vector<material::Material>& materials, Reading& reading)
+      : materials_(materials), reading_(reading) {}
+
+  /// Index of the material that a value names.
+  std::optional<std::uint32_t> find(const core::Value& value) {
+    const auto name = readText(value, {.name = "material", .form = Form::text}, reading_);
+    if (!name) return std::nullopt;
+    for (std::uint32_t i = 0; i < materials_.size(); ++i) {
+      if (materials_[i].name == *name) return i;
+    }
+    std::vector<std::string> known;
+    for (const material::Material& material : materials_) known.push_back(material.name);
+    reading_.error(value, "unknown-material",
+                   fmt::format("the material \"{}\" is not defined{}", *name,
+                               known.empty() ? "; add it to \"materials\"" : core::suggestion(*name, known)));
+    return std::nullopt;
+  }
+
+ private:
+  const std::vector<material::Material>& materials_;
+  Reading& reading_;
+};
+
+/// Material of each part: its own name in "materials" wins over a group's ("walls"), that over "*" and "material".
+void readPartMaterials(SectionReader& section, const geometry::ObjectType& type, MaterialNames names,
+                       scene::Object& object, Reading& reading) {
+  const std::vector<std::string>& parts = object.shape.partNames;
+  std::optional<std::uint32_t> all;
+  bool failed = false;
+  const auto look = [&](const core::Value& value) {
+    const auto index = names.find(value);
+    failed |= !index;
+    return index;
+  };
+  if (const core::Value* material = section.find("material")) all = look(*material);
+  std::vector<std::optional<std::uint32_t>> own(parts.size()), group(parts.size());
+  if (const core::Value* materials = section.find("materials")) {
+    if (!materials->isObject()) {
+      section.refuse("materials", "wrong-type", "\"materials\" must be an object: { \"part\": \"material\", … }");
+      return;
+    }
+    for (const auto& [part, value] : materials->object()) {
+      const auto position = std::find(parts.begin(), parts.end(), part);
+      const auto members = type.partGroups.find(part);
+      if (part == "*") {
+        all = look(value);
+      } else if (position != parts.end()) {
+        own[static_cast<std::size_t>(position - parts.begin())] = look(value);
+      } else if (members != type.partGroups.end()) {
+        const auto index = look(value);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+          const auto& list = members->second;
+          if (std::find(list.begin(), list.end(), parts[i]) != list.end()) group[i] = index;
+        }
+      } else {
+        std::vector<std::string> known = parts;
+        for (const auto& [name, list] : type.partGroups) known.push_back(name);
+        known.emplace_back("*");
+        reading.diagnostics.error(
+            value.keyPosition(), "unknown-part",
+            fmt::format("the {} has no part \"{}\"{}", type.name, part, core::suggestion(part, known)));
+        failed = true;
+      }
+    }
+  }
+  std::vector<std::string> bare;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto index = own[i] ? own[i] : group[i] ? group[i] : all;
+    if (!index) bare.push_back(parts[i]);
+    object.materials.push_back(index.value_or(0));
+  }
+  if (!bare.empty() && !failed) {
+    reading.error(section.value(), "missing-material",
+                  fmt::format("no material for {} of \"{}\"; give \"material\" or \"materials\"", fmt::join(bare, ", "),
+                              object.name));
+  }
+}
+
+std::optional<scene::Object> readObject(const core::Value& value, std::size_t number,
+                                        const std::vector<material::Material>& materials, Reading& reading) {
+  if (!value.isObject()) {
+    reading.error(value, "wrong-type", "an object of the scene is expected here: { \"shape\": \"box\", … }");
+    return std::nullopt;
+  }
+  const geometry::ObjectType* type = typeOf(value, reading);
+  if (!type) return std::nullopt;
+  const Section description = objectSection(*type);
+  SectionReader section(value, description, reading);
+  scene::Object object;
+  object.position = value.position();
+  object.name = section.text("name").value_or(fmt::format("{} {}", type->name, number + 1));
+  object.facesInward = section.choice("facing").value_or("outward") == "inward";
+  if (const core::Value* steps = section.find("transform")) object.transform = readTransform(*steps, reading);
+  const auto arguments = readArguments(section, type->parameters, reading);
+  if (!arguments) return std::nullopt;
+  try {
+    object.shape = type->make(*arguments);
+  } catch (const std::invalid_argument& wrong) {
+    reading.error(value, "bad-shape", fmt::format("\"{}\": {}", object.name, wrong.what()));
+    return std::nullopt;
+  } catch (const core::InputError& error) {  // the shape's own file
+    reading.adopt(error);
+    return std::nullopt;
+  }
+  if (object.facesInward && !object.shape.closed) {
+    section.refuse("facing", "not-closed",
+                   fmt::format("\"{}\" is not closed: it has no inside to face; leave \"facing\" out", object.name));
+  }
+  readPartMaterials(section, *type, MaterialNames(materials, reading), object, reading);
+  return object;
+}
+
+}  // namespace
+
+std::vector<scene::Object> readObjects(const core::Value& section, const std::vector<material::Material>& materials,
+                                       Reading& reading) {
+  std::vector<scene::Object> objects;
+  if (!section.isArray() || section.array().empty()) {
+    reading.error(section, "wrong-type", "\"objects\" must be a list with at least one object");
+    return objects;
+  }
+  for (std::size_t i = 0; i < section.array().size(); ++i) {
+    if (auto object = readObject(section.array()[i], i, materials, reading)) objects.push_back(std::move(*object));
+  }
+  return objects;
+}
+
+}  // namespace goniolux::project

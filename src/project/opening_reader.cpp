@@ -1,0 +1,124 @@
+#include "project/opening_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/closest_name.h"
+#include "project/section_reader.h"
+
+namespace goniolux::project {
+namespace {
+
+using Shape = emitter::Opening::Shape;
+
+Shape shapeNamed(const std::string& name) {
+  if (name == "rectangle") return Shape::rectangle;
+  if (name == "disc") return Shape::disc;
+  if (name == "box") return Shape::box;
+  if (name == "cylinder") return Shape::cylinder;
+  if (name == "sphere") return Shape::sphere;
+  if (name == "tube") return Shape::tube;
+  if (name == "line") return Shape::line;
+  return Shape::point;
+}
+
+std::optional<emitter::Opening> readStated(const core::Value& shape, Reading& reading) {
+  if (shape.object().size() != 1) {
+    reading.error(shape, "opening-form", "a luminaire's shape is one of { \"rectangle\": {…} }, { \"disc\": {…} } …");
+    return std::nullopt;
+  }
+  const auto& [name, value] = shape.object().front();
+  std::vector<std::string> known;
+  for (const OpeningForm& form : openingForms()) known.push_back(form.name);
+  const auto form = std::find_if(openingForms().begin(), openingForms().end(),
+                                 [&](const OpeningForm& each) { return each.name == name; });
+  if (form == openingForms().end()) {
+    reading.diagnostics.error(value.keyPosition(), "unknown-shape",
+                              fmt::format("a luminaire cannot be a \"{}\"{}", name, core::suggestion(name, known)));
+    return std::nullopt;
+  }
+  SectionReader section(value, form->section, reading);
+  if (form->isPlanned) {
+    reading.notSupported(value.keyPosition(), fmt::format("a luminaire's shape \"{}\"", name));
+    return std::nullopt;
+  }
+  if (section.failed()) return std::nullopt;
+  emitter::Opening opening;
+  opening.shape = shapeNamed(name);
+  const auto length = [&](const char* key) { return form->section.find(key) ? section.length(key).value_or(0) : 0; };
+  opening.length = length("length");
+  opening.width = length("width");
+  opening.height = length("height");
+  opening.diameter = length("diameter");
+  if (form->section.find("axis")) opening.axis = section.direction("axis").value_or(core::Vec3(1, 0, 0));
+  return section.failed() ? std::nullopt : std::optional(opening);
+}
+
+emitter::Opening automatic(const core::Value* shape, const photometry::PhotometricFile* file, Reading& reading) {
+  if (!file) return {};
+  const emitter::Opening opening = openingOf(file->opening);
+  if (file->opening.shape == photometry::StatedOpening::Shape::other) {
+    reading.diagnostics.warning(
+        shape ? shape->position() : core::SourcePosition{file->file, 0, 0}, "opening-approximated",
+        fmt::format("{} states an opening that has no model here ({}); it is taken as {}; give \"shape\" for another",
+                    file->file, file->opening.note,
+                    opening.shape == Shape::point ? "a point"
+                    : opening.shape == Shape::box ? "the box around it"
+                                                  : "the rectangle around it"));
+  }
+  return opening;
+}
+
+}  // namespace
+
+emitter::Opening openingOf(const photometry::StatedOpening& stated) {
+  using Stated = photometry::StatedOpening::Shape;
+  emitter::Opening opening;
+  opening.length = stated.lengthAlongC90 ? stated.width : stated.length;
+  opening.width = stated.lengthAlongC90 ? stated.length : stated.width;
+  opening.height = stated.height;
+  opening.diameter = stated.length;
+  switch (stated.shape) {
+    case Stated::point:
+      break;
+    case Stated::rectangle:
+      opening.shape = Shape::rectangle;
+      break;
+    case Stated::disc:
+      opening.shape = Shape::disc;
+      break;
+    case Stated::box:
+      opening.shape = Shape::box;
+      break;
+    case Stated::cylinder:
+      opening.shape = Shape::cylinder;
+      break;
+    case Stated::sphere:
+      opening.shape = Shape::sphere;
+      break;
+    case Stated::other:
+      if (opening.length > 0 && opening.width > 0) {
+        opening.shape = opening.height > 0 ? Shape::box : Shape::rectangle;
+      }
+      break;
+  }
+  return opening;
+}
+
+std::optional<emitter::Opening> readOpening(const core::Value* shape, const photometry::PhotometricFile* file,
+                                            Reading& reading) {
+  if (!shape || (shape->isString() && shape->string() == "auto")) return automatic(shape, file, reading);
+  if (shape->isString() && shape->string() == "point") return emitter::Opening{};
+  if (shape->isObject()) return readStated(*shape, reading);
+  reading.error(*shape, "opening-form",
+                "a luminaire's shape is \"auto\", \"point\", or an object such as { \"rectangle\": { \"length\": 0.6, "
+                "\"width\": 0.6 } }");
+  return std::nullopt;
+}
+
+bool hasSurface(const emitter::Opening& opening) {
+  return opening.shape != Shape::point && opening.shape != Shape::line;
+}
+
+}  // namespace goniolux::project

@@ -1,0 +1,110 @@
+#include "project/scene_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/bounds.h"
+#include "geometry/inside.h"
+#include "geometry/queries.h"
+
+namespace goniolux::project {
+namespace {
+
+using core::Vec3;
+using geometry::Bounds;
+
+/// Where people are: the inward-facing objects, or without any the whole scene.
+class Rooms {
+ public:
+  explicit Rooms(const std::vector<scene::Object>& objects) {
+    Bounds all;
+    for (const scene::Object& object : objects) {
+      const Bounds bounds = geometry::bounds(object.shape, object.transform);
+      all.add(bounds);
+      if (object.facesInward) rooms_.push_back(bounds);
+    }
+    hasRooms_ = !rooms_.empty();
+    if (!hasRooms_) rooms_.push_back(all);
+    // What lies on a wall is inside; a scene without walls (a single plane) has room above it.
+    margin_ = 1e-6 * std::max(1e-3, glm::length(all.extent()));
+  }
+  [[nodiscard]] bool contain(const Vec3& point) const {
+    return std::any_of(rooms_.begin(), rooms_.end(), [&](const Bounds& room) { return room.contains(point, margin_); });
+  }
+  [[nodiscard]] bool known() const { return hasRooms_; }
+
+ private:
+  std::vector<Bounds> rooms_;
+  bool hasRooms_ = false;
+  double margin_ = 0;
+};
+
+void checkGrids(const Project& project, const Rooms& rooms, core::Diagnostics& diagnostics) {
+  for (const analysis::Grid& grid : project.grids) {
+    const auto outside =
+        std::count_if(grid.points.begin(), grid.points.end(), [&](const Vec3& p) { return !rooms.contain(p); });
+    if (outside == 0) continue;
+    if (static_cast<std::size_t>(outside) < grid.points.size()) {
+      if (!rooms.known()) continue;
+      diagnostics.warning(grid.position, "outside",
+                          fmt::format("{} of {} points of the grid \"{}\" lie outside every room", outside,
+                                      grid.points.size(), grid.name));
+      continue;
+    }
+    diagnostics.error(
+        grid.position, "outside",
+        fmt::format("the grid \"{}\" lies wholly outside {}; check its origin, edges and the project's \"units\"",
+                    grid.name, rooms.known() ? "every room" : "the scene"));
+  }
+}
+
+void checkLuminaires(const Project& project, const Rooms& rooms, core::Diagnostics& diagnostics) {
+  if (!rooms.known()) return;
+  for (const scene::Luminaire& luminaire : project.environment.luminaires) {
+    if (rooms.contain(luminaire.center)) continue;
+    diagnostics.warning(
+        luminaire.position, "outside",
+        fmt::format("the luminaire \"{}\" stands outside every room: its light may not come in", luminaire.name));
+  }
+}
+
+void checkEye(const Project& project, const Vec3& eye, const std::string& what, const core::SourcePosition& position,
+              core::Diagnostics& diagnostics) {
+  for (const scene::Object& object : project.environment.objects) {
+    if (object.facesInward || !object.shape.closed) continue;
+    if (!geometry::InsideTest(object.shape, object.transform).contains(eye)) continue;
+    diagnostics.error(position, "inside-object",
+                      fmt::format("the eye of {} lies inside \"{}\" (line {}); move it out", what, object.name,
+                                  object.position.line));
+  }
+}
+
+void checkMaterials(const Project& project, core::Diagnostics& diagnostics) {
+  for (const material::Material& material : project.environment.materials) {
+    for (const auto& [key, spectrum] : material.spectra) {
+      if (!(spectrum.range().first >= 1)) continue;
+      diagnostics.warning(
+          material.position, "reflects-everything",
+          fmt::format("\"{}\" of \"{}\" is 1: nothing real reflects everything, and light in a room of it never dies",
+                      key, material.name));
+    }
+  }
+}
+
+}  // namespace
+
+void checkScene(const Project& project, core::Diagnostics& diagnostics) {
+  const Rooms rooms(project.environment.objects);
+  checkGrids(project, rooms, diagnostics);
+  checkLuminaires(project, rooms, diagnostics);
+  for (const scene::View& view : project.views) {
+    checkEye(project, view.eye, "the view \"" + view.name + "\"", view.position, diagnostics);
+  }
+  for (const analysis::Observer& observer : project.observers) {
+    checkEye(project, observer.eye, "the observer \"" + observer.name + "\"", observer.position, diagnostics);
+  }
+  checkMaterials(project, diagnostics);
+}
+
+}  // namespace goniolux::project
