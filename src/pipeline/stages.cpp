@@ -14,6 +14,7 @@ const std::vector<Stage>& stages() {
 
       // files on their own
       luminaireStage(),
+      spectrumStage(),
       schemaStage(),
   };
   return list;

@@ -14,6 +14,7 @@ Stage renderStage();
 Stage displayStage();
 Stage plotStage();
 Stage luminaireStage();
+Stage spectrumStage();
 Stage schemaStage();
 
 }  // namespace goniolux::pipeline

@@ -77,6 +77,11 @@ Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribut
   return {X / white, Y / white, Z / white};
 }
 
+double melanopicDer(const SpectralDistribution& source) {
+  constexpr double ofD65 = 1.3262e-3;  // W/lm — CIE S 026:2018
+  return source.integral(melanopicAction()) / (maximumLuminousEfficacy * source.integral(cie1931().ybar)) / ofD65;
+}
+
 Chromaticity chromaticity(const Xyz& colour) {
   const double sum = colour.X + colour.Y + colour.Z;
   if (!(sum > 0)) return {};

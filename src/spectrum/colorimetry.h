@@ -21,11 +21,17 @@ struct UvPrime {
 /// Tristimulus values of a source, 360-830 nm: the integrals of power times colour-matching function, per nm.
 /// A continuum tabulated in equal steps of at most 5 nm is summed at its own wavelengths, as CIE 015 does: that is how
 /// the published chromaticities of the illuminants come about. Any other is joined by straight lines and integrated
-/// exactly (as light transport does); for FL1-FL12 the two differ by up to 0.0005 in x, y. Lines add to either.
+/// exactly (as light transport does); for the CIE lamp tables the two differ by up to 0.0003 in x, y. Lines add to
+/// either.
 Xyz tristimulus(const SpectralDistribution& source);
 /// Tristimulus values of a reflectance (or transmittance) under a source, by the same rule; Y = 1 for the perfect
 /// diffuser.
 Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribution& source);
+
+/// Melanopic daylight (D65) efficacy ratio: melanopic efficacy of luminous radiation over D65's 1.3262 mW/lm; melanopic
+/// equivalent daylight illuminance is illuminance times this — CIE S 026:2018. Integrated exactly (the standard's
+/// toolbox works at 1 nm). The source must have luminous power.
+double melanopicDer(const SpectralDistribution& source);
 
 /// (0, 0) for black.
 Chromaticity chromaticity(const Xyz& colour);

@@ -60,8 +60,8 @@ TEST(CieData, FiveNanometreSumsGiveThePublishedChromaticities) {
 TEST(CieData, IntegralsOfJoinedValuesStayCloseToTheSums) {
   for (const auto& [name, x, y] : published) {
     const auto [gotX, gotY] = byIntegral(illuminant(name).value());
-    EXPECT_NEAR(gotX, x, 6e-4) << name;
-    EXPECT_NEAR(gotY, y, 6e-4) << name;
+    EXPECT_NEAR(gotX, x, 3e-4) << name;
+    EXPECT_NEAR(gotY, y, 3e-4) << name;
   }
 }
 

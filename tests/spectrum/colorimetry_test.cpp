@@ -39,6 +39,14 @@ TEST(Colorimetry, IlluminantsHaveTheirPublishedChromaticityAndTemperature) {
   }
 }
 
+TEST(Colorimetry, MelanopicRatioOfIlluminants) {
+  // Recomputed from the action spectrum of CIE S 026 with the tables joined at 1 nm; D65 is 1 by definition.
+  const std::pair<const char*, double> ratios[] = {{"CIE A", .4958},      {"CIE D65", 1},          {"CIE FL1", .8696},
+                                                   {"CIE FL4", .3155},    {"CIE FL11", .5636},     {"CIE HP1", .1543},
+                                                   {"CIE LED-B3", .6326}, {"CIE LED-RGB1", .5777}, {"CIE E", .9058}};
+  for (const auto& [name, ratio] : ratios) EXPECT_NEAR(melanopicDer(illuminant(name).value()), ratio, 1e-4) << name;
+}
+
 TEST(Colorimetry, TemperatureOfFarColoursIsThatOfTheNearestPoint) {
   struct {
     double u, v, kelvin, duv;

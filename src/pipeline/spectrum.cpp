@@ -1,0 +1,102 @@
+// The spectrum stage: colorimetry of lamp spectra, from files or by the name of a built-in illuminant.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "pipeline/stages.h"
+#include "spectrum/cie_data.h"
+#include "spectrum/colorimetry.h"
+#include "spectrum/spectrum_files.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+using core::Value;
+
+// Members of the document that version 1 of the interface names and this version does not compute yet.
+constexpr const char* later[] = {"ra", "r9", "rf", "rg", "s_p"};
+
+// Off the Planckian locus by more than this, a correlated colour temperature means nothing — CIE 015:2018, 9.4 (in u',
+// v').
+constexpr double farthestForTemperature = 0.05;
+
+spectrum::SpectralDistribution readSource(const std::string& name, core::Diagnostics& warnings) {
+  if (const auto builtIn = spectrum::illuminant(name)) return *builtIn;
+  return spectrum::readSpectrumFile(name, spectrum::Role::source, &warnings);
+}
+
+void describe(const std::string& name, const spectrum::SpectralDistribution& source, Value& entry, std::string& text) {
+  const spectrum::Xyz raw = spectrum::tristimulus(source);
+  const spectrum::Xyz colour{100 * raw.X / raw.Y, 100, 100 * raw.Z / raw.Y};
+  const auto [x, y] = spectrum::chromaticity(colour);
+  const auto [u, v] = spectrum::uvPrime(colour);
+  const auto [kelvin, duv] = spectrum::colourTemperature(colour);
+  const double melanopic = spectrum::melanopicDer(source);
+  entry.set("X", colour.X);
+  entry.set("Y", colour.Y);
+  entry.set("Z", colour.Z);
+  entry.set("x", x);
+  entry.set("y", y);
+  entry.set("u_prime", u);
+  entry.set("v_prime", v);
+  const bool hasTemperature = std::abs(duv) <= farthestForTemperature;
+  entry.set("cct_k", hasTemperature ? Value(kelvin) : Value());
+  entry.set("duv", duv);
+  entry.set("melanopic_der", melanopic);
+  Value missing;
+  for (const char* key : later) missing.push(key);
+  entry.set("not_supported_yet", missing);
+
+  text += fmt::format("{}\n  x = {:.4f}, y = {:.4f}   u' = {:.4f}, v' = {:.4f}\n", name, x, y, u, v);
+  text += hasTemperature ? fmt::format("  CCT {:.0f} K, Duv {:+.4f}\n", kelvin, duv)
+                         : fmt::format("  no correlated colour temperature: Duv is {:+.3f}\n", duv);
+  text += fmt::format("  melanopic daylight efficacy ratio {:.3f}\n", melanopic);
+}
+
+StageReport run(const StageRequest& request, core::ProgressSink& progress) {
+  StageReport report;
+  report.json = Value(Value::Array{});
+  double done = 0;
+  for (const std::string& input : request.inputs) {
+    progress.progress("spectra", done++ / static_cast<double>(request.inputs.size()), input);
+    Value entry;
+    entry.set("file", input);
+    try {
+      core::Diagnostics warnings;
+      const auto source = readSource(input, warnings);
+      describe(input, source, entry, report.text);
+      report.warnings.append(warnings);
+    } catch (const core::InputError& error) {
+      const core::Diagnostic& first = error.diagnostics().all().front();
+      Value problem;
+      problem.set("line", first.position.line);
+      problem.set("column", first.position.column);
+      problem.set("message", first.message);
+      entry.set("error", problem);
+      report.text += std::string(error.what()) + "\n";
+      report.inputFailed = true;
+    }
+    report.json.push(entry);
+  }
+  return report;
+}
+
+}  // namespace
+
+Stage spectrumStage() {
+  Stage stage;
+  stage.name = "spectrum";
+  stage.title = "colour of lamp spectra: XYZ, chromaticity, colour temperature";
+  stage.help =
+      "Reads spectra (.spd, .csv, TM-27 .spdx) or takes built-in ones by name (\"CIE FL11\") and gives X, Y, Z (Y = "
+      "100), x, y, u', v', "
+      "correlated colour temperature and Duv for the CIE 1931 observer, and the melanopic daylight efficacy ratio (CIE "
+      "S 026).";
+  stage.inputName = "FILE";
+  stage.manyInputs = true;
+  stage.run = run;
+  return stage;
+}
+
+}  // namespace goniolux::pipeline
