@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -17,9 +16,10 @@ using core::Parameter;
 
 constexpr std::size_t lineWidth = 100;
 
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t firstColumn) {
+// Words filled up to the line's width; every line but the first begins after `indent` spaces.
+std::string wrapped(const std::string& text, std::size_t indent) {
   std::string out;
-  std::size_t column = firstColumn;
+  std::size_t column = indent;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     if (column > indent && column + 1 + word.size() > lineWidth) {
@@ -43,8 +43,7 @@ std::string table(const std::vector<Row>& rows) {
   std::size_t width = 0;
   for (const Row& row : rows) width = std::max(width, row.name.size());
   std::string out;
-  for (const Row& row : rows)
-    out += fmt::format("  {:<{}}  {}\n", row.name, width, wrapped(row.text, width + 4, width + 4));
+  for (const Row& row : rows) out += fmt::format("  {:<{}}  {}\n", row.name, width, wrapped(row.text, width + 4));
   return out;
 }
 
@@ -54,8 +53,12 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::string details(const Parameter& parameter) {
-  std::string text = parameter.help.empty() ? parameter.title : parameter.help;
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string details(const Parameter& parameter, std::string text) {
   if (!parameter.unit.empty()) text += fmt::format(" [{}]", parameter.unit);
   if (parameter.required) text += " (required)";
   if (!parameter.defaultText.empty()) text += fmt::format(" (default: {})", parameter.defaultText);
@@ -81,21 +84,25 @@ std::string inputText(const pipeline::Stage& stage) {
 }
 
 Row ownRow(const Parameter& parameter) {
-  return {fmt::format("    --{} {}", parameter.key, valueName(parameter)), details(parameter)};
+  std::string text = parameter.title;
+  if (!text.empty() && !parameter.help.empty()) text += "; ";
+  text += parameter.help;
+  return {fmt::format("    --{} {}", parameter.key, valueName(parameter)), details(parameter, text)};
 }
 
 Row commonRow(const CommonOption& option) {
   const Parameter& parameter = option.parameter;
   const std::string letter = option.letter ? fmt::format("-{}, ", option.letter) : std::string(4, ' ');
   const std::string value = option.isFlag ? "" : " " + parameter.title;
-  return {letter + "--" + parameter.key + value, details(parameter)};
+  return {letter + "--" + parameter.key + value, details(parameter, parameter.help)};
 }
 
 }  // namespace
 
 std::string programHelp() {
   std::vector<Row> verbs;
-  for (const pipeline::Stage& stage : pipeline::stages()) verbs.push_back({stage.name + inputText(stage), stage.title});
+  for (const pipeline::Stage& stage : pipeline::stages())
+    verbs.push_back({stage.name + inputText(stage), capitalised(stage.title)});
   return fmt::format(
       "goniolux {}: lighting-design analysis in which every number has an interval that holds\n\n"
       "usage: goniolux VERB INPUT [options]\n\nverbs:\n{}\n"
@@ -115,9 +122,9 @@ std::string verbHelp(const pipeline::Stage& stage) {
   for (const CommonOption& option : commonOptions())
     if (applies(option, stage)) common.push_back(commonRow(option));
 
-  std::string out =
-      fmt::format("usage: goniolux {}{}{} [options]\n\n{}.\n", stage.name, inputText(stage), required, stage.title);
-  if (!stage.help.empty()) out += wrapped(stage.help, 0, 0) + "\n";
+  std::string out = fmt::format("usage: goniolux {}{}{} [options]\n\n{}.\n", stage.name, inputText(stage), required,
+                                capitalised(stage.title));
+  if (!stage.help.empty()) out += wrapped(stage.help, 0) + "\n";
   if (!own.empty()) out += "\noptions of this verb:\n" + table(own);
   return out + "\ncommon options:\n" + table(common);
 }
