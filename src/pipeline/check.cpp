@@ -48,7 +48,7 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
   }
   report.json.set("errors", listed(found, core::Severity::error));
   report.json.set("warnings", listed(found, core::Severity::warning));
-  for (const core::Diagnostic& diagnostic : found.all()) report.text += core::toString(diagnostic) + "\n";
+  report.warnings = found;
   report.text += fmt::format("{}, {}\n", count(report.json.find("errors")->array().size(), "error"),
                              count(report.json.find("warnings")->array().size(), "warning"));
   return report;
