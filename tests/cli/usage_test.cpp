@@ -146,7 +146,8 @@ double childrensCpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// 3 ms were measured; loading VTK and Qt costs 30 ms more. CPU time, the best of several: the machine has other work.
+// 13 ms of CPU time were measured, most of it the dynamic linker's; loading VTK and Qt would add 30 ms. The best of several
+// counts, because the machine has other work.
 TEST(Program, StartsInMilliseconds) {
   double best = 1e9;
   for (int i = 0; i < 20; ++i) {
@@ -154,7 +155,7 @@ TEST(Program, StartsInMilliseconds) {
     ASSERT_EQ(goniolux({"--version"}).exitCode, 0);
     best = std::min(best, childrensCpuSeconds() - before);
   }
-  EXPECT_LT(best, 0.020);
+  EXPECT_LT(best, 0.030);
 }
 
 }  // namespace
