@@ -177,8 +177,11 @@ std::string upperCase(std::string_view text) {
 }
 
 std::optional<double> parseNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || text.starts_with('+')) return std::nullopt;
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+    if (text.starts_with('+') || text.starts_with('-')) return std::nullopt;
+  }
+  if (text.empty()) return std::nullopt;
   std::string fortran;  // 1.0D+03
   if (const std::size_t d = text.find_first_of("dD"); d != std::string_view::npos && d > 0) {
     fortran = text;

@@ -226,15 +226,14 @@ class Reader {
 
     CandelaTable table;
     table.factor = conversion * lampFlux_ / 1000;
-    table.horizontalAt = at(scanner_.lineNumber(), 1);
-    const std::vector<double> angles = numbers.numbers(static_cast<std::size_t>(planes), "the C angles");
-    table.verticalAt = at(scanner_.lineNumber(), 1);
-    table.vertical = numbers.numbers(n, "the gamma angles");
+    const std::vector<double> angles =
+        numbers.numbers(static_cast<std::size_t>(planes), "the C angles", ListOf::anything, &table.horizontalAt);
+    table.vertical = numbers.numbers(n, "the gamma angles", ListOf::ascendingAngles, &table.verticalAt);
     for (const std::size_t i : stored) table.horizontal.push_back(angles[i]);
-    table.candelasAt = at(scanner_.lineNumber(), 1);
     for (std::size_t h = 0; h < stored.size(); ++h) {
       const std::vector<double> row =
-          numbers.numbers(n, fmt::format("the intensities of stored plane {} of {}", h + 1, stored.size()));
+          numbers.numbers(n, fmt::format("the intensities of stored plane {} of {}", h + 1, stored.size()),
+                          ListOf::intensities, h == 0 ? &table.candelasAt : nullptr);
       table.candelas.insert(table.candelas.end(), row.begin(), row.end());
     }
     if (!scanner_.atEnd()) {

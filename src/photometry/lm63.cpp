@@ -235,31 +235,20 @@ class Reader {
     CandelaTable table;
     table.type = type == 1 ? PhotometryType::c : type == 2 ? PhotometryType::b : PhotometryType::a;
     table.factor = factor;
-    table.vertical = listOf(numbers, static_cast<std::size_t>(verticals), "the vertical angles", table.verticalAt);
-    table.horizontal =
-        listOf(numbers, static_cast<std::size_t>(horizontals), "the horizontal angles", table.horizontalAt);
+    table.vertical = numbers.numbers(static_cast<std::size_t>(verticals), "the vertical angles",
+                                     ListOf::ascendingAngles, &table.verticalAt);
+    table.horizontal = numbers.numbers(static_cast<std::size_t>(horizontals), "the horizontal angles",
+                                       ListOf::ascendingAngles, &table.horizontalAt);
     table.candelas.reserve(values);
     for (int h = 0; h < horizontals; ++h) {
-      SourcePosition rowAt;
-      const std::vector<double> row = listOf(numbers, static_cast<std::size_t>(verticals),
-                                             fmt::format("the candelas of plane {} of {}", h + 1, horizontals), rowAt);
-      if (h == 0) table.candelasAt = rowAt;
+      const std::vector<double> row = numbers.numbers(static_cast<std::size_t>(verticals),
+                                                      fmt::format("the candelas of plane {} of {}", h + 1, horizontals),
+                                                      ListOf::intensities, h == 0 ? &table.candelasAt : nullptr);
       table.candelas.insert(table.candelas.end(), row.begin(), row.end());
     }
     warnOfRest();
     file_.distribution = makeDistribution(std::move(table), file_.warnings);
     file_.symmetry = symmetryName(file_.distribution->symmetry());
-  }
-
-  // Reads a list and says where it begins.
-  static std::vector<double> listOf(NumberReader& numbers, std::size_t count, std::string_view what,
-                                    SourcePosition& begin) {
-    numbers.expectRoomFor(count, what);
-    std::vector<double> list = numbers.numbers(1, what);
-    begin = numbers.position();
-    const std::vector<double> rest = numbers.numbers(count - 1, what);
-    list.insert(list.end(), rest.begin(), rest.end());
-    return list;
   }
 
   void readOpening(double width, double length, double height, int units, const SourcePosition& position) {
@@ -357,9 +346,10 @@ class Reader {
     tilt.lampToLuminaireGeometry = numbers.count("the lamp-to-luminaire geometry", 1, 3);
     const auto pairs = static_cast<std::size_t>(numbers.count("the number of tilt angles", 1, largestCount));
     SourcePosition begin;
-    tilt.angles = listOf(numbers, pairs, "the tilt angles", begin);
+    numbers.expectRoomFor(2 * pairs, "tilt angles and factors");
+    tilt.angles = numbers.numbers(pairs, "the tilt angles", ListOf::ascendingAngles, &begin);
     checkAngles(tilt.angles, "tilt angles", -360, 360, begin);
-    tilt.factors = listOf(numbers, pairs, "the tilt factors", begin);
+    tilt.factors = numbers.numbers(pairs, "the tilt factors", ListOf::anything);
     file_.tilt = std::move(tilt);
   }
 

@@ -58,11 +58,25 @@ int NumberReader::count(std::string_view what, int minimum, int maximum) {
   return static_cast<int>(value);
 }
 
-std::vector<double> NumberReader::numbers(std::size_t count, std::string_view what) {
-  expectRoomFor(count, what);
+std::vector<double> NumberReader::numbers(std::size_t count, std::string_view what, ListOf kind,
+                                          core::SourcePosition* begin) {
   std::vector<double> values;
-  values.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) values.push_back(read(what, i + 1, count));
+  values.reserve(std::min(count, scanner_.bytesLeft() / 2 + 1));  // never more than the file can hold
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = read(what, i + 1, count);
+    if (i == 0 && begin != nullptr) *begin = position_;
+    if (kind == ListOf::ascendingAngles && i > 0 && !(value > values.back())) {
+      refuse("angles-not-ascending",
+             fmt::format("{}: {} follows {}; they must ascend without repeats. Is the number of angles right?", what,
+                         value, values.back()));
+    }
+    if (kind == ListOf::intensities && value < 0) {
+      refuse("negative-candela",
+             fmt::format("{}, number {} of {}: {} is below 0, which no intensity can be; correct it", what, i + 1,
+                         count, value));
+    }
+    values.push_back(value);
+  }
   return values;
 }
 

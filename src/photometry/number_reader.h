@@ -13,17 +13,21 @@ namespace goniolux::photometry {
 
 enum class DecimalComma { isSeparator, isPoint };
 
+/// What each number of a list has to be; said where it is read, because only there its line and column are known.
+enum class ListOf { anything, ascendingAngles, intensities };
+
 class NumberReader {
  public:
   NumberReader(core::TextScanner& scanner, std::string file, DecimalComma comma)
-      : scanner_(scanner), file_(std::move(file)), comma_(comma) {}
+      : scanner_(scanner), file_(std::move(file)), comma_(comma), position_{file_, scanner.lineNumber(), 0} {}
 
   /// The next number, finite. `what` names it in messages: "input watts".
   double number(std::string_view what) { return read(what, 0, 0); }
   /// The next number if it is whole and within [minimum, maximum].
   int count(std::string_view what, int minimum, int maximum);
-  /// The next `count` numbers.
-  std::vector<double> numbers(std::size_t count, std::string_view what);
+  /// The next `count` numbers; `begin`, if given, becomes the position of the first.
+  std::vector<double> numbers(std::size_t count, std::string_view what, ListOf kind,
+                              core::SourcePosition* begin = nullptr);
   /// Refuses a table that the rest of the file cannot hold (a number needs two bytes), before memory is asked for it.
   void expectRoomFor(std::size_t numbers, std::string_view what);
 
