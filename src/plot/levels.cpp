@@ -1,0 +1,82 @@
+#include "plot/levels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace goniolux::plot {
+namespace {
+
+// EN 12464-1:2021, 5.3.1: the scale of illuminance; a step is the smallest difference that people notice (a factor of
+// about 1.5).
+constexpr double illuminanceScale[] = {5,   7.5, 10,  15,   20,   30,   50,   75,   100,  150,  200,
+                                       300, 500, 750, 1000, 1500, 2000, 3000, 5000, 7500, 10000};
+
+/// 1, 2, 2.5 or 5 times a power of ten, next to `rough`.
+double roundStep(double rough) {
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double lead = rough / power;
+  const double nice = lead < 1.4 ? 1 : lead < 2.2 ? 2 : lead < 3.4 ? 2.5 : lead < 7 ? 5 : 10;
+  return nice * power;
+}
+
+std::vector<double> multiples(double minimum, double maximum, double step, bool endsIncluded) {
+  std::vector<double> list;
+  const double slack = 1e-9 * step;
+  for (double k = std::ceil(minimum / step - 1e-9); k * step <= maximum + slack; ++k) {
+    const double value = k * step;
+    const bool inside = value > minimum + slack && value < maximum - slack;
+    if (inside || endsIncluded) list.push_back(value == 0 ? 0.0 : value);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<double> isoluxLevels(double minimum, double maximum) {
+  if (!(maximum - minimum > 1e-6 * std::abs(maximum)) || !std::isfinite(maximum - minimum)) return {};
+  std::vector<double> levels;
+  for (const double step : illuminanceScale) {
+    if (step > minimum && step < maximum) levels.push_back(step);
+  }
+  if (levels.size() >= 4 && maximum <= 12000) return levels;
+  return multiples(minimum, maximum, roundStep((maximum - minimum) / 6.5), false);
+}
+
+std::vector<double> axisTicks(double minimum, double maximum, int wanted) {
+  if (!(maximum > minimum) || !std::isfinite(maximum - minimum)) return {};
+  return multiples(minimum, maximum, roundStep((maximum - minimum) / wanted), true);
+}
+
+std::optional<std::vector<double>> parseLevels(const std::string& text) {
+  std::vector<double> levels;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    while (at < end && (*at == ' ' || *at == ',' || *at == ';')) ++at;
+    if (at == end) break;
+    double value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+    if (next < end && *next != ' ' && *next != ',' && *next != ';') return std::nullopt;
+    levels.push_back(value);
+    at = next;
+  }
+  if (levels.empty()) return std::nullopt;
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+std::string levelText(double value) {
+  if (value == 0) return "0";
+  std::string text = fmt::format("{:.4g}", value);
+  if (text.find('e') != std::string::npos && std::abs(value) >= 1 && std::abs(value) < 1e6) {
+    text = fmt::format("{:.0f}", value);
+  }
+  return text;
+}
+
+}  // namespace goniolux::plot

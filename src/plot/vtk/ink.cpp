@@ -1,0 +1,130 @@
+#include "plot/vtk/ink.h"
+
+#include <vtkBrush.h>
+#include <vtkContext2D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+namespace goniolux::plot {
+namespace {
+
+constexpr int dpi = 72;
+
+/// VTK's own font lacks letters (no Greek); DejaVu has them. "" where DejaVu is not installed.
+const std::string& fontFile(bool bold) {
+  static const std::array<std::string, 2> files = [] {
+    std::array<std::string, 2> found;
+    for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
+                               "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu", "/usr/local/share/fonts"}) {
+      const std::filesystem::path base = folder;
+      std::error_code ignored;
+      if (found[0].empty() && std::filesystem::exists(base / "DejaVuSans.ttf", ignored)) {
+        found[0] = base / "DejaVuSans.ttf";
+        const bool hasBold = std::filesystem::exists(base / "DejaVuSans-Bold.ttf", ignored);
+        found[1] = hasBold ? base / "DejaVuSans-Bold.ttf" : base / "DejaVuSans.ttf";
+      }
+    }
+    return found;
+  }();
+  return files[bold ? 1 : 0];
+}
+
+void apply(const TextStyle& style, vtkTextProperty* property) {
+  if (fontFile(style.bold).empty()) {
+    property->SetFontFamilyToArial();
+    property->SetBold(style.bold ? 1 : 0);
+  } else {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(fontFile(style.bold).c_str());
+    property->SetBold(0);
+  }
+  property->SetItalic(0);
+  property->SetShadow(0);
+  property->SetFontSize(style.size);
+  property->SetColor(style.colour[0] / 255.0, style.colour[1] / 255.0, style.colour[2] / 255.0);
+  property->SetOpacity(1);
+  property->SetOrientation(style.angle / core::degree);
+  property->SetJustificationToLeft();
+  property->SetVerticalJustificationToBottom();
+}
+
+/// Box of the drawn letters about the left end of their base line: x from, x to, y from, y to.
+std::array<int, 4> bounds(const std::string& words, const TextStyle& style) {
+  vtkNew<vtkTextProperty> property;
+  TextStyle level = style;
+  level.angle = 0;
+  apply(level, property);
+  std::array<int, 4> box{0, 0, 0, 0};
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, words, box.data(), dpi);
+  return box;
+}
+
+}  // namespace
+
+core::Vec2 textSize(const std::string& words, const TextStyle& style) {
+  const std::array<int, 4> line = bounds(words, style), capital = bounds("0", style);
+  return {line[1] - line[0] + 1.0, capital[3] - capital[2] + 1.0};
+}
+
+void Ink::line(const Polyline& points, const Rgb& colour, double width, int opacity) {
+  if (points.size() < 2) return;
+  vtkPen* pen = context_.GetPen();
+  pen->SetColor(colour[0], colour[1], colour[2], static_cast<unsigned char>(opacity));
+  pen->SetWidth(static_cast<float>(width));
+  pen->SetLineType(vtkPen::SOLID_LINE);
+  std::vector<float> flat;
+  flat.reserve(2 * points.size());
+  for (const core::Vec2& p : points) {
+    flat.push_back(static_cast<float>(p.x));
+    flat.push_back(static_cast<float>(p.y));
+  }
+  context_.DrawPoly(flat.data(), static_cast<int>(points.size()));
+}
+
+void Ink::area(const Polyline& corners, const Rgb& colour, int opacity) {
+  if (corners.size() < 3) return;
+  context_.GetPen()->SetLineType(vtkPen::NO_PEN);
+  context_.GetBrush()->SetColor(colour[0], colour[1], colour[2], static_cast<unsigned char>(opacity));
+  std::vector<float> flat;
+  flat.reserve(2 * corners.size());
+  for (const core::Vec2& p : corners) {
+    flat.push_back(static_cast<float>(p.x));
+    flat.push_back(static_cast<float>(p.y));
+  }
+  context_.DrawPolygon(flat.data(), static_cast<int>(corners.size()));
+}
+
+void Ink::rectangle(const core::Vec2& low, const core::Vec2& high, const Rgb& colour, int opacity) {
+  area({low, {high.x, low.y}, high, {low.x, high.y}}, colour, opacity);
+}
+
+void Ink::text(const std::string& words, const core::Vec2& at, const TextStyle& style) {
+  if (words.empty()) return;
+  const std::array<int, 4> box = bounds(words, style), capital = bounds("0", style);
+  // Left end of the box that VTK places, in the frame of the turned text.
+  const double width = box[1] - box[0] + 1.0;
+  const double back = style.align == TextStyle::Align::left     ? 0
+                      : style.align == TextStyle::Align::center ? width / 2
+                                                                : width;
+  const double down = (capital[2] + capital[3]) / 2.0 - box[2];
+  const core::Vec2 along(std::cos(style.angle), std::sin(style.angle)), up(-along.y, along.x);
+  const core::Vec2 start = at - along * back - up * down;
+  apply(style, context_.GetTextProp());
+  context_.DrawString(static_cast<float>(start.x), static_cast<float>(start.y), words);
+}
+
+void Ink::image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) {
+  context_.DrawImage(vtkRectf(static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(high.x - low.x),
+                              static_cast<float>(high.y - low.y)),
+                     image);
+}
+
+}  // namespace goniolux::plot

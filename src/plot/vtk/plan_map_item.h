@@ -1,0 +1,57 @@
+// PlanMapItem: a plan map drawn on a page.
+#pragma once
+
+#include <vtkContextItem.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "plot/colour_scale.h"
+#include "plot/figure.h"
+#include "plot/label_placement.h"
+#include "plot/map_layout.h"
+#include "plot/vtk/ink.h"
+#include "plot/vtk/isolines.h"
+
+namespace goniolux::plot {
+
+class PlanMapItem final : public vtkContextItem {
+ public:
+  vtkTypeMacro(PlanMapItem, vtkContextItem);
+  static PlanMapItem* New();
+
+  /// The map must outlive the item.
+  void setMap(const PlanMap& map, const MapLayout& layout);
+  bool Paint(vtkContext2D* painter) override;
+
+ private:
+  PlanMapItem() = default;
+  ~PlanMapItem() override = default;
+
+  void paintColours(Ink& ink) const;
+  void paintDots(Ink& ink, LabelPlacement& labels) const;
+  void paintIsolines(Ink& ink, LabelPlacement& labels) const;
+  void paintObjects(Ink& ink) const;
+  void paintLuminaires(Ink& ink) const;
+  void paintExtremes(Ink& ink, LabelPlacement& labels) const;
+  void paintValues(Ink& ink, LabelPlacement& labels) const;
+
+  const PlanMap* map_ = nullptr;
+  MapLayout layout_;
+  std::optional<ColourScale> scale_;
+  std::unique_ptr<FineMap> fine_;
+  vtkSmartPointer<vtkImageData> picture_;
+};
+
+/// What stands around the map: titles, axes, legend, key to the symbols, footer.
+void paintTitles(Ink& ink, const PlanMap& map, const MapLayout& layout);
+void paintAxes(Ink& ink, const PlanMap& map, const MapLayout& layout);
+void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const ColourScale& scale);
+
+/// The symbol of a luminaire: its opening with a cross, or a crossed circle for a point.
+void paintLuminaire(Ink& ink, const core::Vec2& position, const Polyline& footprint);
+/// The mark of the highest (a triangle upwards) or lowest value.
+void paintExtreme(Ink& ink, const core::Vec2& at, bool highest);
+
+}  // namespace goniolux::plot
