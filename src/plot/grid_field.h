@@ -26,6 +26,7 @@ class GridField {
   int nu_, nv_;
   std::vector<double> values_;
   std::vector<bool> excluded_;
+  double lowest_ = 0, highest_ = 0;
 };
 
 }  // namespace goniolux::plot

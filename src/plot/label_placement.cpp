@@ -82,11 +82,24 @@ bool overlap(const LabelBox& a, const LabelBox& b) {
   return true;
 }
 
-bool LabelPlacement::isFree(const LabelBox& box) const {
+bool LabelPlacement::isFree(const LabelBox& box, bool mindSoftLines) const {
   for (const Vec2& corner : corners(box)) {
     if (corner.x < low_.x || corner.y < low_.y || corner.x > high_.x || corner.y > high_.y) return false;
   }
-  return std::none_of(taken_.begin(), taken_.end(), [&](const LabelBox& other) { return overlap(box, other); });
+  const double reach = std::hypot(box.width, box.height) / 2;
+  const auto crosses = [&](const Line& line) {
+    if (line.soft && !mindSoftLines) return false;
+    const Vec2 along = line.to - line.from, middle = (line.from + line.to) / 2.0;
+    const double length = glm::length(along);
+    if (glm::distance(middle, box.center) > reach + length / 2) return false;
+    return overlap(box, {middle, length, 0, std::atan2(along.y, along.x)});
+  };
+  return std::none_of(taken_.begin(), taken_.end(), [&](const LabelBox& other) { return overlap(box, other); }) &&
+         std::none_of(lines_.begin(), lines_.end(), crosses);
+}
+
+void LabelPlacement::avoidLine(const Polyline& line, bool softly) {
+  for (std::size_t i = 1; i < line.size(); ++i) lines_.push_back({line[i - 1], line[i], softly});
 }
 
 std::vector<LineLabel> LabelPlacement::alongLine(const Polyline& line, double width, double height, double spacing) {
@@ -115,14 +128,17 @@ std::vector<LineLabel> LabelPlacement::alongLine(const Polyline& line, double wi
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.badness < b.badness; });
-  for (const Candidate& candidate : candidates) {
-    const bool apart = std::all_of(labels.begin(), labels.end(), [&](const LineLabel& other) {
-      const double away = std::abs(candidate.label.from - other.from);
-      return away >= spacing;
-    });
-    if (!apart || !isFree(candidate.label.box)) continue;
-    occupy(candidate.label.box);
-    labels.push_back(candidate.label);
+  for (const bool mindSoftLines : {true, false}) {
+    if (!labels.empty()) break;
+    for (const Candidate& candidate : candidates) {
+      const bool apart = std::all_of(labels.begin(), labels.end(), [&](const LineLabel& other) {
+        const double away = std::abs(candidate.label.from - other.from);
+        return away >= spacing;
+      });
+      if (!apart || !isFree(candidate.label.box, mindSoftLines)) continue;
+      occupy(candidate.label.box);
+      labels.push_back(candidate.label);
+    }
   }
   std::sort(labels.begin(), labels.end(), [](const LineLabel& a, const LineLabel& b) { return a.from < b.from; });
   return labels;

@@ -28,8 +28,10 @@ class LabelPlacement {
   LabelPlacement(core::Vec2 low, core::Vec2 high) : low_(low), high_(high) {}
 
   /// True if the box is inside and free.
-  [[nodiscard]] bool isFree(const LabelBox& box) const;
+  [[nodiscard]] bool isFree(const LabelBox& box) const { return isFree(box, true); }
   void occupy(const LabelBox& box) { taken_.push_back(box); }
+  /// From now on, no label stands on this line; labels of lines may, where `softly` and where there is no other place.
+  void avoidLine(const Polyline& line, bool softly = false);
 
   /// Finds places for a label of the given size along a line: the straightest ones, upright to read, at least `spacing`
   /// apart. Takes them. A line that is too short or too bent everywhere gets none.
@@ -38,6 +40,13 @@ class LabelPlacement {
  private:
   core::Vec2 low_, high_;
   std::vector<LabelBox> taken_;
+  struct Line {
+    core::Vec2 from{0}, to{0};
+    bool soft = false;
+  };
+  [[nodiscard]] bool isFree(const LabelBox& box, bool mindSoftLines) const;
+
+  std::vector<Line> lines_;
 };
 
 /// Length of a polyline, and the polyline without the parts from..to (arc lengths) that labels take.

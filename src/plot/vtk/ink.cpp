@@ -5,6 +5,8 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPen.h>
+#include <vtkRect.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
@@ -63,8 +65,18 @@ std::array<int, 4> bounds(const std::string& words, const TextStyle& style) {
   level.angle = 0;
   apply(level, property);
   std::array<int, 4> box{0, 0, 0, 0};
-  vtkTextRenderer::GetInstance()->GetBoundingBox(property, words, box.data(), dpi);
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, vtkStdString(words), box.data(), dpi);
   return box;
+}
+
+std::vector<float> flatten(const Polyline& points) {
+  std::vector<float> flat;
+  flat.reserve(2 * points.size());
+  for (const core::Vec2& p : points) {
+    flat.push_back(static_cast<float>(p.x));
+    flat.push_back(static_cast<float>(p.y));
+  }
+  return flat;
 }
 
 }  // namespace
@@ -74,39 +86,25 @@ core::Vec2 textSize(const std::string& words, const TextStyle& style) {
   return {line[1] - line[0] + 1.0, capital[3] - capital[2] + 1.0};
 }
 
-void Ink::line(const Polyline& points, const Rgb& colour, double width, int opacity) {
+void ContextInk::line(const Polyline& points, const Rgb& colour, double width, int opacity) {
   if (points.size() < 2) return;
   vtkPen* pen = context_.GetPen();
   pen->SetColor(colour[0], colour[1], colour[2], static_cast<unsigned char>(opacity));
   pen->SetWidth(static_cast<float>(width));
   pen->SetLineType(vtkPen::SOLID_LINE);
-  std::vector<float> flat;
-  flat.reserve(2 * points.size());
-  for (const core::Vec2& p : points) {
-    flat.push_back(static_cast<float>(p.x));
-    flat.push_back(static_cast<float>(p.y));
-  }
+  std::vector<float> flat = flatten(points);
   context_.DrawPoly(flat.data(), static_cast<int>(points.size()));
 }
 
-void Ink::area(const Polyline& corners, const Rgb& colour, int opacity) {
+void ContextInk::area(const Polyline& corners, const Rgb& colour, int opacity) {
   if (corners.size() < 3) return;
   context_.GetPen()->SetLineType(vtkPen::NO_PEN);
   context_.GetBrush()->SetColor(colour[0], colour[1], colour[2], static_cast<unsigned char>(opacity));
-  std::vector<float> flat;
-  flat.reserve(2 * corners.size());
-  for (const core::Vec2& p : corners) {
-    flat.push_back(static_cast<float>(p.x));
-    flat.push_back(static_cast<float>(p.y));
-  }
+  std::vector<float> flat = flatten(corners);
   context_.DrawPolygon(flat.data(), static_cast<int>(corners.size()));
 }
 
-void Ink::rectangle(const core::Vec2& low, const core::Vec2& high, const Rgb& colour, int opacity) {
-  area({low, {high.x, low.y}, high, {low.x, high.y}}, colour, opacity);
-}
-
-void Ink::text(const std::string& words, const core::Vec2& at, const TextStyle& style) {
+void ContextInk::text(const std::string& words, const core::Vec2& at, const TextStyle& style) {
   if (words.empty()) return;
   const std::array<int, 4> box = bounds(words, style), capital = bounds("0", style);
   // Left end of the box that VTK places, in the frame of the turned text.
@@ -118,10 +116,10 @@ void Ink::text(const std::string& words, const core::Vec2& at, const TextStyle& 
   const core::Vec2 along(std::cos(style.angle), std::sin(style.angle)), up(-along.y, along.x);
   const core::Vec2 start = at - along * back - up * down;
   apply(style, context_.GetTextProp());
-  context_.DrawString(static_cast<float>(start.x), static_cast<float>(start.y), words);
+  context_.DrawString(static_cast<float>(start.x), static_cast<float>(start.y), vtkStdString(words));
 }
 
-void Ink::image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) {
+void ContextInk::image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) {
   context_.DrawImage(vtkRectf(static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(high.x - low.x),
                               static_cast<float>(high.y - low.y)),
                      image);

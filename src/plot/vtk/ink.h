@@ -1,8 +1,10 @@
-// Ink: lines, areas and words on a page through vtkContext2D, the same for pixels and for SVG. Pixels, y up; colours
-// sRGB.
+// Ink: lines, areas and words on a page. Pixels, y up; colours sRGB. Two kinds of paper: VTK's 2-D context for pixels,
+// and SVG, which needs no OpenGL and keeps words as words. (VTK's own SVG exporter writes text a third too large,
+// without weight or base line.)
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/vector.h"
 #include "plot/figure.h"
@@ -10,38 +12,66 @@
 
 class vtkContext2D;
 class vtkImageData;
-class vtkTextProperty;
 
 namespace goniolux::plot {
 
-inline constexpr Rgb black{0x1a, 0x1a, 0x1a}, white{0xff, 0xff, 0xff}, grey{0x6a, 0x6a, 0x6a},
-    paleGrey{0xd0, 0xd0, 0xd0};
+inline constexpr Rgb black{0x1a, 0x1a, 0x1a}, white{0xff, 0xff, 0xff}, grey{0x6a, 0x6a, 0x6a};
 
 struct TextStyle {
   int size = 16;  ///< pixels
   bool bold = false;
   Rgb colour = black;
   double angle = 0;  ///< rad, anticlockwise
-  double halo = 0;   ///< pixels of white around the letters
   enum class Align { left, center, right } align = Align::left;
 };
 
+/// Width of the words and height of a figure, pixels.
+core::Vec2 textSize(const std::string& words, const TextStyle& style);
+
 class Ink {
  public:
-  explicit Ink(vtkContext2D& context) : context_(context) {}
+  virtual ~Ink() = default;
+  virtual void line(const Polyline& points, const Rgb& colour, double width, int opacity = 255) = 0;
+  virtual void area(const Polyline& corners, const Rgb& colour, int opacity = 255) = 0;
+  /// `at` is the left end, middle or right end (as aligned) of the line halfway up a figure.
+  virtual void text(const std::string& words, const core::Vec2& at, const TextStyle& style) = 0;
+  /// An RGBA picture, its first row at the bottom.
+  virtual void image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) = 0;
 
-  void line(const Polyline& points, const Rgb& colour, double width, int opacity = 255);
-  void area(const Polyline& corners, const Rgb& colour, int opacity = 255);
-  void rectangle(const core::Vec2& low, const core::Vec2& high, const Rgb& colour, int opacity = 255);
-  /// `at` is the left end, middle or right end (as aligned) of the line halfway up a capital letter.
-  void text(const std::string& words, const core::Vec2& at, const TextStyle& style);
-  void image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image);
+  void rectangle(const core::Vec2& low, const core::Vec2& high, const Rgb& colour, int opacity = 255) {
+    area({low, {high.x, low.y}, high, {low.x, high.y}}, colour, opacity);
+  }
+};
+
+class ContextInk final : public Ink {
+ public:
+  explicit ContextInk(vtkContext2D& context) : context_(context) {}
+  void line(const Polyline& points, const Rgb& colour, double width, int opacity) override;
+  void area(const Polyline& corners, const Rgb& colour, int opacity) override;
+  void text(const std::string& words, const core::Vec2& at, const TextStyle& style) override;
+  void image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) override;
 
  private:
   vtkContext2D& context_;
 };
 
-/// Width of the words and height of a capital letter, pixels.
-core::Vec2 textSize(const std::string& words, const TextStyle& style);
+class SvgInk final : public Ink {
+ public:
+  SvgInk(int width, int height, const std::string& title, const std::string& description);
+  void line(const Polyline& points, const Rgb& colour, double width, int opacity) override;
+  void area(const Polyline& corners, const Rgb& colour, int opacity) override;
+  void text(const std::string& words, const core::Vec2& at, const TextStyle& style) override;
+  void image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) override;
+  /// The finished document.
+  [[nodiscard]] std::string document() const { return svg_ + "</svg>\n"; }
+
+ private:
+  std::string pointList(const Polyline& points) const;
+  int height_;
+  std::string svg_;
+};
+
+/// The picture as the bytes of a PNG file; empty if VTK could not make it.
+std::string pngOf(vtkImageData* image);
 
 }  // namespace goniolux::plot

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "plot/levels.h"
-#include "plot/vtk/plan_map_item.h"
+#include "plot/vtk/plan_map_painter.h"
 
 namespace goniolux::plot {
 namespace {
@@ -38,7 +38,7 @@ void paintTitles(Ink& ink, const PlanMap& map, const MapLayout& layout) {
 void paintAxes(Ink& ink, const PlanMap& map, const MapLayout& layout) {
   const Rectangle& frame = layout.frame;
   ink.line({frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}, frame.low}, grey, 1);
-  const TextStyle tick{15, false, black, 0, 0, Align::center};
+  const TextStyle tick{15, false, black, 0, Align::center};
   const auto ticks = [](double low, double high, double pixels) {
     return axisTicks(low, high, std::clamp(static_cast<int>(pixels / 110), 2, 12));
   };
@@ -57,7 +57,7 @@ void paintAxes(Ink& ink, const PlanMap& map, const MapLayout& layout) {
     ink.text(levelText(y), {frame.low.x - 12, at}, beside);
     widest = std::max(widest, textSize(levelText(y), beside).x);
   }
-  TextStyle title{16, false, black, 0, 0, Align::center};
+  TextStyle title{16, false, black, 0, Align::center};
   ink.text(map.xTitle, {(frame.low.x + frame.high.x) / 2, frame.low.y - 48}, title);
   title.angle = core::pi / 2;
   ink.text(map.yTitle, {frame.low.x - 32 - widest, (frame.low.y + frame.high.y) / 2}, title);

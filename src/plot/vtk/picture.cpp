@@ -1,65 +1,40 @@
 #include "plot/vtk/picture.h"
 
-#include <fmt/format.h>
 #include <vtkContextActor.h>
+#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
+#include <vtkObjectFactory.h>
 #include <vtkRenderer.h>
-#include <vtkSVGExporter.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <filesystem>
 
-#include "core/diagnostics.h"
 #include "core/document.h"
 #include "plot/vtk/offscreen_window.h"
-#include "plot/vtk/plan_map_item.h"
+#include "plot/vtk/plan_map_painter.h"
 
 namespace goniolux::plot {
 namespace {
 
-void writePng(vtkRenderWindow* window, const std::string& file) {
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->SetInputBufferTypeToRGB();
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (bytes == nullptr || bytes->GetNumberOfValues() == 0) throw CannotDraw("VTK made no picture");
-  core::writeFile(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                         static_cast<std::size_t>(bytes->GetNumberOfValues())});
-}
+/// Lets the painter draw when VTK draws its scene.
+class PainterItem final : public vtkContextItem {
+ public:
+  vtkTypeMacro(PainterItem, vtkContextItem);
+  static PainterItem* New();
+  const PlanMapPainter* painter = nullptr;
+  bool Paint(vtkContext2D* context) override {
+    ContextInk ink(*context);
+    painter->paint(ink);
+    return true;
+  }
+};
+vtkStandardNewMacro(PainterItem);
 
-void writeSvg(vtkRenderWindow* window, const PlanMap& map, const std::string& file) {
-  // VTK writes to a file of its own choice; it replaces the wanted one only when it is whole.
-  const std::string beside = file + ".part";
-  vtkNew<vtkSVGExporter> exporter;
-  exporter->SetRenderWindow(window);
-  exporter->SetFileName(beside.c_str());
-  exporter->SetTitle(map.title.c_str());
-  exporter->SetDescription(map.subtitle.c_str());
-  exporter->TextAsPathOff();  // words stay words: searchable, editable
-  exporter->DrawBackgroundOn();
-  exporter->Write();
-  std::error_code error;
-  std::filesystem::rename(beside, file, error);
-  if (error) throw core::RunError(fmt::format("{}: cannot be written: {}", file, error.message()));
-}
-
-}  // namespace
-
-void drawPlanMap(const PlanMap& map, const std::vector<std::string>& files) {
-  const MapLayout layout = layoutOf(map);
+std::string drawPng(const PlanMapPainter& painter, const MapLayout& layout) {
   OffscreenWindow offscreen(layout.width, layout.height);
-  vtkNew<PlanMapItem> item;
-  item->setMap(map, layout);
+  vtkNew<PainterItem> item;
+  item->painter = &painter;
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(item);
   vtkNew<vtkRenderer> renderer;
@@ -67,12 +42,37 @@ void drawPlanMap(const PlanMap& map, const std::vector<std::string>& files) {
   renderer->AddActor(actor);
   offscreen.window()->AddRenderer(renderer);
   offscreen.window()->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(offscreen.window());
+  grab->SetInputBufferTypeToRGB();
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->Update();
+  std::string bytes = pngOf(grab->GetOutput());
+  if (bytes.empty()) throw CannotDraw("VTK made no picture");
+  return bytes;
+}
+
+std::string drawSvg(const PlanMap& map, const PlanMapPainter& painter, const MapLayout& layout) {
+  SvgInk ink(layout.width, layout.height, map.title, map.subtitle);
+  painter.paint(ink);
+  return ink.document();
+}
+
+}  // namespace
+
+void drawPlanMap(const PlanMap& map, const std::vector<std::string>& files) {
+  const MapLayout layout = layoutOf(map);
+  const PlanMapPainter painter(map, layout);
+  // SVG first: it needs no OpenGL, so that at least it is there when that fails.
   for (const std::string& file : files) {
-    if (file.ends_with(".svg")) {
-      writeSvg(offscreen.window(), map, file);
-    } else {
-      writePng(offscreen.window(), file);
-    }
+    if (file.ends_with(".svg")) core::writeFile(file, drawSvg(map, painter, layout));
+  }
+  std::string png;
+  for (const std::string& file : files) {
+    if (file.ends_with(".svg")) continue;
+    if (png.empty()) png = drawPng(painter, layout);
+    core::writeFile(file, png);
   }
 }
 

@@ -1,9 +1,6 @@
-// PlanMapItem: a plan map drawn on a page.
+// PlanMapPainter: a plan map drawn on a page.
 #pragma once
 
-#include <vtkContextItem.h>
-
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,19 +13,13 @@
 
 namespace goniolux::plot {
 
-class PlanMapItem final : public vtkContextItem {
+class PlanMapPainter {
  public:
-  vtkTypeMacro(PlanMapItem, vtkContextItem);
-  static PlanMapItem* New();
-
-  /// The map must outlive the item.
-  void setMap(const PlanMap& map, const MapLayout& layout);
-  bool Paint(vtkContext2D* painter) override;
+  /// The map must outlive the painter.
+  PlanMapPainter(const PlanMap& map, const MapLayout& layout);
+  void paint(Ink& ink) const;
 
  private:
-  PlanMapItem() = default;
-  ~PlanMapItem() override = default;
-
   void paintColours(Ink& ink) const;
   void paintDots(Ink& ink, LabelPlacement& labels) const;
   void paintIsolines(Ink& ink, LabelPlacement& labels) const;
@@ -37,11 +28,12 @@ class PlanMapItem final : public vtkContextItem {
   void paintExtremes(Ink& ink, LabelPlacement& labels) const;
   void paintValues(Ink& ink, LabelPlacement& labels) const;
 
-  const PlanMap* map_ = nullptr;
+  const PlanMap& map_;
   MapLayout layout_;
-  std::optional<ColourScale> scale_;
-  std::unique_ptr<FineMap> fine_;
+  ColourScale scale_;
+  std::optional<FineMap> fine_;  // of a regular grid
   vtkSmartPointer<vtkImageData> picture_;
+  std::vector<FineMap::Isoline> isolines_;  // pixels
 };
 
 /// What stands around the map: titles, axes, legend, key to the symbols, footer.
@@ -50,6 +42,7 @@ void paintAxes(Ink& ink, const PlanMap& map, const MapLayout& layout);
 void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const ColourScale& scale);
 
 /// The symbol of a luminaire: its opening with a cross, or a crossed circle for a point.
+std::vector<Polyline> luminaireStrokes(const core::Vec2& position, const Polyline& footprint);
 void paintLuminaire(Ink& ink, const core::Vec2& position, const Polyline& footprint);
 /// The mark of the highest (a triangle upwards) or lowest value.
 void paintExtreme(Ink& ink, const core::Vec2& at, bool highest);

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "plot/vtk/ink.h"
+
+namespace goniolux::plot {
+namespace {
+
+std::string hex(const Rgb& colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+std::string opacityAttribute(const char* name, int opacity) {
+  return opacity >= 255 ? std::string() : fmt::format(" {}=\"{:.3g}\"", name, opacity / 255.0);
+}
+
+std::string escaped(const std::string& words) {
+  std::string text;
+  for (const char c : words) {
+    switch (c) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      default:
+        // XML 1.0 has no place for control characters.
+        if (static_cast<unsigned char>(c) >= 0x20) text += c;
+    }
+  }
+  return text;
+}
+
+std::string base64(std::string_view bytes) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t block = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[(block >> (18 - 6 * k)) & 63U];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string pngOf(vtkImageData* image) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (bytes == nullptr) return {};
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+SvgInk::SvgInk(int width, int height, const std::string& title, const std::string& description) : height_(height) {
+  svg_ = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
+      "width=\"{0}\" "
+      "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Verdana, sans-serif\" "
+      "xml:space=\"preserve\">\n<title>{2}</title>\n"
+      "<desc>{3}</desc>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+      width, height, escaped(title), escaped(description));
+}
+
+std::string SvgInk::pointList(const Polyline& points) const {
+  std::string list;
+  for (const core::Vec2& p : points) list += fmt::format("{:.2f},{:.2f} ", p.x, height_ - p.y);
+  if (!list.empty()) list.pop_back();
+  return list;
+}
+
+void SvgInk::line(const Polyline& points, const Rgb& colour, double width, int opacity) {
+  if (points.size() < 2) return;
+  svg_ += fmt::format("<polyline fill=\"none\" stroke=\"{}\"{} stroke-width=\"{:g}\" points=\"{}\"/>\n", hex(colour),
+                      opacityAttribute("stroke-opacity", opacity), width, pointList(points));
+}
+
+void SvgInk::area(const Polyline& corners, const Rgb& colour, int opacity) {
+  if (corners.size() < 3) return;
+  svg_ += fmt::format("<polygon fill=\"{}\"{} points=\"{}\"/>\n", hex(colour),
+                      opacityAttribute("fill-opacity", opacity), pointList(corners));
+}
+
+void SvgInk::text(const std::string& words, const core::Vec2& at, const TextStyle& style) {
+  if (words.empty()) return;
+  // The base line is half a figure's height below `at`, across the direction of the words. DejaVu Sans: figures are
+  // 0.729 em high.
+  constexpr double figureHeight = 0.729;
+  const core::Vec2 base =
+      at + core::Vec2(std::sin(style.angle), -std::cos(style.angle)) * (figureHeight * style.size / 2);
+  const char* anchor = style.align == TextStyle::Align::left     ? "start"
+                       : style.align == TextStyle::Align::center ? "middle"
+                                                                 : "end";
+  std::string turn;
+  if (style.angle != 0) {
+    turn = fmt::format(" transform=\"rotate({:.2f} {:.2f} {:.2f})\"", -style.angle / core::degree, base.x,
+                       height_ - base.y);
+  }
+  svg_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\"{} text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n",
+                      base.x, height_ - base.y, style.size, style.bold ? " font-weight=\"bold\"" : "", anchor,
+                      hex(style.colour), turn, escaped(words));
+}
+
+void SvgInk::image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) {
+  svg_ += fmt::format(
+      "<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" preserveAspectRatio=\"none\" "
+      "xlink:href=\"data:image/png;base64,{}\"/>\n",
+      low.x, height_ - high.y, high.x - low.x, high.y - low.y, base64(pngOf(image)));
+}
+
+}  // namespace goniolux::plot
