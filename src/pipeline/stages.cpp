@@ -11,6 +11,7 @@ const std::vector<Stage>& stages() {
 
       // from light to pictures
       displayStage(),
+      plotStage(),
 
       // files on their own
       luminaireStage(),

@@ -5,13 +5,19 @@
 
 namespace goniolux::plot {
 
-ColourScale::ColourScale(const PlanMap& map)
-    : palette_(findPalette(map.palette) ? *findPalette(map.palette) : palettes().front()), banded_(map.banded) {
+ColourScale::ColourScale(const PlanMap& map) {
   edges_.push_back(map.lowest);
   for (const double level : map.levels) {
     if (level > map.lowest && level < map.highest) edges_.push_back(level);
   }
   edges_.push_back(map.highest);
+
+  const Palette* named = findPalette(map.palette);
+  const Palette& palette = named ? *named : palettes().front();
+  const std::size_t count = map.banded ? edges_.size() - 1 : 1024;
+  for (std::size_t k = 0; k < count; ++k) {
+    colours_.push_back(colourAt(palette, count == 1 ? 0.6 : static_cast<double>(k) / static_cast<double>(count - 1)));
+  }
 }
 
 double ColourScale::fraction(double value) const {
@@ -24,11 +30,9 @@ double ColourScale::fraction(double value) const {
 }
 
 Rgb ColourScale::atFraction(double fraction) const {
-  const auto fields = static_cast<double>(edges_.size() - 1);
-  if (!banded_) return colourAt(palette_, fraction);
-  if (fields < 2) return colourAt(palette_, 0.6);
-  const double field = std::clamp(std::floor(fraction * fields + 1e-9), 0.0, fields - 1);
-  return colourAt(palette_, field / (fields - 1));
+  const auto count = static_cast<double>(colours_.size());
+  // The little extra: an edge belongs to the field above it, whatever the rounding.
+  return colours_[static_cast<std::size_t>(std::clamp(std::floor(fraction * count + 1e-9), 0.0, count - 1))];
 }
 
 }  // namespace goniolux::plot

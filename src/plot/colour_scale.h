@@ -22,9 +22,8 @@ class ColourScale {
   [[nodiscard]] Rgb atFraction(double fraction) const;
 
  private:
-  const Palette& palette_;
-  bool banded_;
   std::vector<double> edges_;
+  std::vector<Rgb> colours_;  // one per field, or many for a smooth passage
 };
 
 }  // namespace goniolux::plot

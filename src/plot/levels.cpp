@@ -1,7 +1,5 @@
 #include "plot/levels.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -35,14 +33,17 @@ std::vector<double> multiples(double minimum, double maximum, double step, bool 
 
 }  // namespace
 
-std::vector<double> isoluxLevels(double minimum, double maximum) {
+std::vector<double> isoluxLevels(double minimum, double maximum, double finest) {
   if (!(maximum - minimum > 1e-6 * std::abs(maximum)) || !std::isfinite(maximum - minimum)) return {};
+  if (maximum - minimum < 2 * finest) return {};
   std::vector<double> levels;
   for (const double step : illuminanceScale) {
     if (step > minimum && step < maximum) levels.push_back(step);
   }
   if (levels.size() >= 4 && maximum <= 12000) return levels;
-  return multiples(minimum, maximum, roundStep((maximum - minimum) / 6.5), false);
+  double step = roundStep((maximum - minimum) / 6.5);
+  while (step < finest) step = roundStep(2 * step);
+  return multiples(minimum, maximum, step, false);
 }
 
 std::vector<double> axisTicks(double minimum, double maximum, int wanted) {
@@ -68,15 +69,6 @@ std::optional<std::vector<double>> parseLevels(const std::string& text) {
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
-}
-
-std::string levelText(double value) {
-  if (value == 0) return "0";
-  std::string text = fmt::format("{:.4g}", value);
-  if (text.find('e') != std::string::npos && std::abs(value) >= 1 && std::abs(value) < 1e6) {
-    text = fmt::format("{:.0f}", value);
-  }
-  return text;
 }
 
 }  // namespace goniolux::plot

@@ -9,8 +9,9 @@ namespace goniolux::plot {
 
 /// Isolux levels for a map whose values run from `minimum` to `maximum`: the steps of illuminance of EN 12464-1 (… 100,
 /// 150, 200, 300, 500, 750, 1000 …) where at least four of them fall inside, otherwise even steps of 1, 2, 2.5 or 5
-/// times a power of ten, about six of them. Ascending, strictly inside the range; empty for a map of one value.
-std::vector<double> isoluxLevels(double minimum, double maximum);
+/// times a power of ten, about six of them and never closer than `finest` (what the values are certain to). Ascending,
+/// strictly inside the range; empty for a map of one value.
+std::vector<double> isoluxLevels(double minimum, double maximum, double finest = 0);
 
 /// Even round numbers that cover [minimum, maximum] in about `wanted` steps, for axes. Ascending, inside the range.
 std::vector<double> axisTicks(double minimum, double maximum, int wanted);
@@ -18,9 +19,5 @@ std::vector<double> axisTicks(double minimum, double maximum, int wanted);
 /// The list that a user wrote: "100, 200 300" gives 100, 200, 300; ascending, repeated values once. Nothing if it is no
 /// such list.
 std::optional<std::vector<double>> parseLevels(const std::string& text);
-
-/// A value as it is written beside a line or a scale: as many digits as tell it apart, no exponent below a million, no
-/// sign of zero.
-std::string levelText(double value);
 
 }  // namespace goniolux::plot

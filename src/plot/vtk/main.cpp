@@ -1,7 +1,8 @@
 // goniolux-plot: draws a figure that `goniolux plot` has written. A program of its own: it alone loads VTK, and
 // whatever becomes of it, the calculation and its data stay.
 //
-//   goniolux-plot FIGURE.json OUT.png|OUT.svg ...
+//   goniolux-plot FIGURE.json OUT.png|OUT.svg ...     draws
+//   goniolux-plot --read-back FILE.vtp OUT.json       reads a .vtp with VTK and writes what it found
 //
 // Exit: 0 drawn; 2 bad figure or usage; 3 drawing is not possible here (no OpenGL) or a file cannot be written.
 #include <vtkObject.h>
@@ -15,15 +16,20 @@
 #include "core/document.h"
 #include "plot/vtk/offscreen_window.h"
 #include "plot/vtk/picture.h"
+#include "plot/vtk/read_back.h"
 
 namespace {
 
 using namespace goniolux;
 
-int draw(const std::vector<std::string>& arguments) {
+int run(const std::vector<std::string>& arguments) {
   if (arguments.size() < 2) {
     std::fputs("usage: goniolux-plot FIGURE.json OUT.png|OUT.svg ...\n", stderr);
     return 2;
+  }
+  if (arguments[0] == "--read-back" && arguments.size() == 3) {
+    core::writeFile(arguments[2], core::toJson(plot::readBackVtp(arguments[1])));
+    return 0;
   }
   const std::vector<std::string> files(arguments.begin() + 1, arguments.end());
   for (const std::string& file : files) {
@@ -43,12 +49,12 @@ int draw(const std::vector<std::string>& arguments) {
 int main(int count, char** arguments) {
   vtkObject::GlobalWarningDisplayOff();  // what matters comes as an exception
   try {
-    return draw({arguments + 1, arguments + count});
+    return run({arguments + 1, arguments + count});
   } catch (const core::InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "goniolux-plot: %s\n", error.what());
+    std::fprintf(stderr, "%s\n", error.what());
     return 3;
   }
 }

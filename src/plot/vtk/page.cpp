@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plot/levels.h"
+#include "plot/number_text.h"
 #include "plot/vtk/plan_map_painter.h"
 
 namespace goniolux::plot {
@@ -87,8 +88,7 @@ void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const Co
     if (!end && k % every != 0) continue;
     ink.line({{bar.high.x, y}, {bar.high.x + 6, y}}, black, 1);
     const double value = edges[static_cast<std::size_t>(k)];
-    const std::string text =
-        end && std::abs(value) >= 100 ? levelText(std::round(value)) : levelText(end ? value : value);
+    const std::string text = end && std::abs(value) >= 100 ? levelText(std::round(value)) : levelText(value);
     ink.text(text, {bar.high.x + 12, y}, {15, false, end ? grey : black});
   }
 

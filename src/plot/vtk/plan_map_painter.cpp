@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/levels.h"
+#include "plot/number_text.h"
 
 namespace goniolux::plot {
 namespace {

@@ -5,9 +5,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
-#include <cstdint>
-#include <string_view>
 
+#include "plot/base64.h"
 #include "plot/vtk/ink.h"
 
 namespace goniolux::plot {
@@ -38,20 +37,6 @@ std::string escaped(const std::string& words) {
         // XML 1.0 has no place for control characters.
         if (static_cast<unsigned char>(c) >= 0x20) text += c;
     }
-  }
-  return text;
-}
-
-std::string base64(std::string_view bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t block = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[(block >> (18 - 6 * k)) & 63U];
   }
   return text;
 }

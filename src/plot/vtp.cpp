@@ -1,0 +1,90 @@
+#include "plot/vtp.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cassert>
+#include <string_view>
+
+#include "plot/base64.h"
+
+namespace goniolux::plot {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the file says LittleEndian");
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+/// An inline binary array: its length in bytes as one UInt64, then the bytes, together in base64.
+template <typename T>
+std::string dataArray(const char* type, const std::string& name, int components, const std::vector<T>& values) {
+  const std::uint64_t length = values.size() * sizeof(T);
+  std::string bytes(reinterpret_cast<const char*>(&length), sizeof length);
+  bytes.append(reinterpret_cast<const char*>(values.data()), length);
+  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}</DataArray>\n",
+                     type, escaped(name), components, base64(bytes));
+}
+
+std::string cells(const char* element, const std::vector<std::vector<std::int64_t>>& list) {
+  std::vector<std::int64_t> connectivity, offsets;
+  for (const std::vector<std::int64_t>& cell : list) {
+    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
+    offsets.push_back(std::ssize(connectivity));
+  }
+  return fmt::format("<{0}>\n{1}{2}</{0}>\n", element, dataArray("Int64", "connectivity", 1, connectivity),
+                     dataArray("Int64", "offsets", 1, offsets));
+}
+
+}  // namespace
+
+std::string vtpOf(const PolyData& data) {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * data.points.size());
+  for (const core::Vec3& p : data.points) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+
+  std::string comment;  // "--" must not stand in an XML comment
+  for (const char c : escaped(data.comment)) {
+    if (c == '-' && comment.ends_with('-')) comment += ' ';
+    comment += c;
+  }
+  std::string xml = fmt::format("<?xml version=\"1.0\"?>\n<!-- {} -->\n", comment);
+  xml += "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";
+  xml += fmt::format(
+      "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"{}\">\n",
+      data.points.size(), data.vertices.size(), data.lines.size(), data.polygons.size());
+  xml += "<Points>\n" + dataArray("Float64", "Points", 3, coordinates) + "</Points>\n";
+  if (!data.pointData.empty()) {
+    xml += fmt::format("<PointData Scalars=\"{}\">\n", escaped(data.pointData.front().name));
+    for (const PolyData::Array& array : data.pointData) {
+      assert(array.values.size() == data.points.size());
+      xml += dataArray("Float64", array.name, 1, array.values);
+    }
+    xml += "</PointData>\n";
+  }
+  xml += cells("Verts", data.vertices) + cells("Lines", data.lines) + cells("Polys", data.polygons);
+  return xml + "</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+}  // namespace goniolux::plot
