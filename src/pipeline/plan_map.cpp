@@ -74,8 +74,9 @@ Paper paperOf(const std::optional<GridPlane>& plane) {
 std::string capitalised(std::string text) {
   std::replace(text.begin(), text.end(), '-', ' ');
   if (text == "melanopic edi") return "Melanopic EDI";
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text.find("illuminance") == std::string::npos ? text + " illuminance" : text;
+  if (text.find("illuminance") == std::string::npos) text += " illuminance";
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 void setWords(const Results& results, const GridResult& grid, const Paper& paper, plot::PlanMap& map) {

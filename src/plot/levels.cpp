@@ -40,7 +40,7 @@ std::vector<double> isoluxLevels(double minimum, double maximum, double finest) 
   for (const double step : illuminanceScale) {
     if (step > minimum && step < maximum) levels.push_back(step);
   }
-  if (levels.size() >= 4 && maximum <= 12000) return levels;
+  if (levels.size() >= 5 && maximum <= 12000) return levels;
   double step = roundStep((maximum - minimum) / 6.5);
   while (step < finest) step = roundStep(2 * step);
   return multiples(minimum, maximum, step, false);

@@ -8,7 +8,7 @@
 namespace goniolux::plot {
 
 /// Isolux levels for a map whose values run from `minimum` to `maximum`: the steps of illuminance of EN 12464-1 (… 100,
-/// 150, 200, 300, 500, 750, 1000 …) where at least four of them fall inside, otherwise even steps of 1, 2, 2.5 or 5
+/// 150, 200, 300, 500, 750, 1000 …) where at least five of them fall inside, otherwise even steps of 1, 2, 2.5 or 5
 /// times a power of ten, about six of them and never closer than `finest` (what the values are certain to). Ascending,
 /// strictly inside the range; empty for a map of one value.
 std::vector<double> isoluxLevels(double minimum, double maximum, double finest = 0);

@@ -16,6 +16,10 @@ std::string levelText(double value) {
   return text;
 }
 
+std::string pointText(double value) {
+  return std::abs(value) >= 99.95 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 std::string uncertaintyText(double value, double halfWidth) {
   if (!std::isfinite(value)) return "undefined";
   if (!(halfWidth > 0) || !std::isfinite(halfWidth)) return levelText(value);

@@ -148,9 +148,9 @@ TEST(PlotStage, WritesAnSvgWithItsWordsAsWords) {
   const StageReport report = runPlot(folder.path(), {{"format", "svg"}, {"levels", "300,400,500,600"}});
   EXPECT_FALSE(fs::exists(folder.path() / "work-plane.png"));
   const std::string svg = contentOf(folder.path() / "work-plane.svg");
-  for (const char* words :
-       {">300</text>", ">400</text>", ">500</text>", ">600</text>", ">x / m</text>", ">in lx</text>",
-        "Sample &lt;office&gt; &amp; more", "mean 380 ± 2 lx", ">luminaire</text>", ">not counted</text>"}) {
+  for (const char* words : {">300</text>", ">400</text>", ">500</text>", ">600</text>", ">x / m</text>",
+                            ">in lx</text>", "Sample &lt;office&gt; &amp; more", "mean 380 ± 2 lx",
+                            ">Illuminance</text>", ">luminaire</text>", ">not counted</text>"}) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(svg.find("Sample <office>"), std::string::npos);

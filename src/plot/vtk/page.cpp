@@ -88,7 +88,7 @@ void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const Co
     if (!end && k % every != 0) continue;
     ink.line({{bar.high.x, y}, {bar.high.x + 6, y}}, black, 1);
     const double value = edges[static_cast<std::size_t>(k)];
-    const std::string text = end && std::abs(value) >= 100 ? levelText(std::round(value)) : levelText(value);
+    const std::string text = end ? pointText(value) : levelText(value);
     ink.text(text, {bar.high.x + 12, y}, {15, false, end ? grey : black});
   }
 
@@ -104,10 +104,12 @@ void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const Co
                    {{middle - 9, y - 9}, {middle + 9, y - 9}, {middle + 9, y + 9}, {middle - 9, y + 9}});
     row("luminaire");
   }
-  paintExtreme(ink, {middle, y - 1}, true);
-  row("highest value");
-  paintExtreme(ink, {middle, y + 1}, false);
-  row("lowest value");
+  if (showsExtremes(map)) {
+    paintExtreme(ink, {middle, y - 1}, true);
+    row("highest value");
+    paintExtreme(ink, {middle, y + 1}, false);
+    row("lowest value");
+  }
   if (anyExcluded(map)) {
     ink.rectangle({middle - 10, y - 8}, {middle + 10, y + 8}, {0xec, 0xec, 0xec});
     for (int k = -1; k < 3; ++k) {

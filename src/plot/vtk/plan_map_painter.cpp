@@ -116,6 +116,7 @@ void PlanMapPainter::paintLuminaires(Ink& ink) const {
 }
 
 void PlanMapPainter::paintExtremes(Ink& ink, LabelPlacement& labels) const {
+  if (!showsExtremes(map_)) return;
   const std::size_t low = indexOfExtreme(map_, false), high = indexOfExtreme(map_, true);
   if (low == map_.values.size() || low == high) return;
   for (const std::size_t i : {low, high}) {
@@ -144,12 +145,15 @@ void PlanMapPainter::paintDots(Ink& ink, LabelPlacement& labels) const {
   }
   for (std::size_t i = 0; i < map_.points.size(); ++i) {
     if (std::isnan(map_.values[i]) || !layout_.shown.contains(map_.points[i])) continue;
-    const std::string text = levelText(map_.values[i]);
-    const Vec2 at = layout_.toPage(map_.points[i]) + Vec2(0, 20), size = textSize(text, style);
-    const LabelBox box{at, size.x + 4, size.y + 4, 0};
-    if (!labels.isFree(box)) continue;
-    labels.occupy(box);
-    ink.text(text, at, style);
+    const std::string text = pointText(map_.values[i]);
+    const Vec2 at = layout_.toPage(map_.points[i]), size = textSize(text, style);
+    for (const Vec2& shift : {Vec2(0, 20), Vec2(0, -20), Vec2(14 + size.x / 2, 0), Vec2(-14 - size.x / 2, 0)}) {
+      const LabelBox box{at + shift, size.x + 4, size.y + 4, 0};
+      if (!labels.isFree(box)) continue;
+      labels.occupy(box);
+      ink.text(text, at + shift, style);
+      break;
+    }
   }
 }
 
@@ -168,7 +172,7 @@ void PlanMapPainter::paintValues(Ink& ink, LabelPlacement& labels) const {
       const double value = map_.values[index];
       if (std::isnan(value) || !layout_.shown.contains(map_.points[index])) continue;
       const Vec2 at = layout_.toPage(map_.points[index]);
-      const std::string text = levelText(std::abs(value) < 100 ? value : std::round(value));
+      const std::string text = pointText(value);
       const Vec2 size = textSize(text, style);
       const double up = size.y / 2 + 6, aside = size.x / 2 + 7;
       for (const Vec2& shift : {Vec2(0, up), Vec2(0, -up), Vec2(aside, 0), Vec2(-aside, 0)}) {
@@ -201,7 +205,9 @@ std::vector<Polyline> luminaireStrokes(const Vec2& position, const Polyline& foo
   std::vector<Polyline> strokes;
   if (corners > 2) outline.push_back(outline.front());
   strokes.push_back(outline);
-  if (corners >= 4) {
+  const bool slender =
+      corners == 4 && std::min(glm::distance(outline[0], outline[1]), glm::distance(outline[1], outline[2])) < 8;
+  if (corners >= 4 && !slender) {
     // A cross from corner to corner; of a circle, along its diagonals.
     const std::size_t quarter = corners / 4, start = corners == 4 ? 0 : corners / 8;
     strokes.push_back({outline[start], outline[(start + 2 * quarter) % corners]});

@@ -44,6 +44,11 @@ void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const Co
 /// The symbol of a luminaire: its opening with a cross, or a crossed circle for a point.
 std::vector<Polyline> luminaireStrokes(const core::Vec2& position, const Polyline& footprint);
 void paintLuminaire(Ink& ink, const core::Vec2& position, const Polyline& footprint);
+/// A map whose values differ by more than they are uncertain has lines, and marks at its extremes; dots carry their
+/// values.
+inline bool showsExtremes(const PlanMap& map) {
+  return map.grid && !map.levels.empty();
+}
 /// The mark of the highest (a triangle upwards) or lowest value.
 void paintExtreme(Ink& ink, const core::Vec2& at, bool highest);
 
