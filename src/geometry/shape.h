@@ -1,4 +1,5 @@
-// Shape: what an object manager hands over: triangles, exactly intersected patches, or both, in the object's own space (metres).
+// Shape: what an object manager hands over: triangles, exactly intersected patches, or both, in the object's own space
+// (metres).
 #pragma once
 
 #include <array>
@@ -35,8 +36,8 @@ struct Shape {
   std::vector<std::string> partNames;  ///< names that "materials" may use; at least one
   Mesh mesh;
   std::vector<QuadricPatch> patches;
-  bool closed = false;                 ///< bounds a volume: has an inside
-  double chordError = 0;               ///< m; largest distance between the true surface and its triangles
+  bool closed = false;    ///< bounds a volume: has an inside
+  double chordError = 0;  ///< m; largest distance between the true surface and its triangles
   /// Names from a file that stand for several parts (a group with several materials), as ObjectType::partGroups do.
   std::map<std::string, std::vector<std::string>> partGroups = {};
   std::vector<std::string> remarks = {};  ///< what a designer should know: a reader passes them on as warnings
