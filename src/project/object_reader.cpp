@@ -69,6 +69,8 @@ class MaterialNames {
 void readPartMaterials(SectionReader& section, const geometry::ObjectType& type, MaterialNames names,
                        scene::Object& object, Reading& reading) {
   const std::vector<std::string>& parts = object.shape.partNames;
+  auto groups = type.partGroups;
+  groups.insert(object.shape.partGroups.begin(), object.shape.partGroups.end());  // a mesh file's own
   std::optional<std::uint32_t> all;
   bool failed = false;
   const auto look = [&](const core::Value& value) {
@@ -85,12 +87,12 @@ void readPartMaterials(SectionReader& section, const geometry::ObjectType& type,
     }
     for (const auto& [part, value] : materials->object()) {
       const auto position = std::find(parts.begin(), parts.end(), part);
-      const auto members = type.partGroups.find(part);
+      const auto members = groups.find(part);
       if (part == "*") {
         all = look(value);
       } else if (position != parts.end()) {
         own[static_cast<std::size_t>(position - parts.begin())] = look(value);
-      } else if (members != type.partGroups.end()) {
+      } else if (members != groups.end()) {
         const auto index = look(value);
         for (std::size_t i = 0; i < parts.size(); ++i) {
           const auto& list = members->second;
@@ -98,7 +100,7 @@ void readPartMaterials(SectionReader& section, const geometry::ObjectType& type,
         }
       } else {
         std::vector<std::string> known = parts;
-        for (const auto& [name, list] : type.partGroups) known.push_back(name);
+        for (const auto& [name, list] : groups) known.push_back(name);
         known.emplace_back("*");
         reading.diagnostics.error(
             value.keyPosition(), "unknown-part",
@@ -146,6 +148,7 @@ std::optional<scene::Object> readObject(const core::Value& value, std::size_t nu
     reading.adopt(error);
     return std::nullopt;
   }
+  for (const std::string& remark : object.shape.remarks) reading.warning(value, "shape", remark);
   if (object.facesInward && !object.shape.closed) {
     section.refuse("facing", "not-closed",
                    fmt::format("\"{}\" is not closed: it has no inside to face; leave \"facing\" out", object.name));

@@ -40,10 +40,12 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "project.json"
             path.write_text(json.dumps(project_of(rooms, name)))
-            grid, = to_radiance.calculate(path, replicates=4, samples=64)
+            calculation = to_radiance.Calculation(path, 3, folder)
+            grid, = calculation.grids
+            illuminance = calculation.illuminances(grid["points"], grid["normals"], 4, 1, samples=64)
         expected = table["E_total_lx"]
-        value = grid["illuminance"].mean(axis=0)
-        spread = grid["illuminance"].std(axis=0, ddof=1) / 2
+        value = illuminance.mean(axis=0)
+        spread = illuminance.std(axis=0, ddof=1) / 2
         error = value / expected - 1
         print(f"{name}: {len(value)} points, mean {value.mean():.3f} lx ({100 * (value.mean() / expected.mean() - 1):+.3f} %), "
               f"rms {100 * np.sqrt((error ** 2).mean()):.3f} % where Radiance's own noise is "

@@ -1,6 +1,6 @@
 """Reference illuminances from Radiance (https://www.radiance-online.org), another program than ours.
 
-  python3 to_radiance.py PROJECT [--replicates 8] [--seconds-hint] [--out FILE.json]
+  python3 to_radiance.py PROJECT [--replicates 8] [--out FILE.json]
 
 Writes the project as a Radiance scene (bands of the spectrum in Radiance's three channels, three bands a run), lets rtrace
 calculate the illuminance of every free grid point by pure Monte Carlo (no irradiance cache), several times with the points in
@@ -113,8 +113,9 @@ class Scene:
             luminance *= l["flux"] / (math.pi * whole)
         else:
             d = l["distribution"]
-            if not (self.folder / f"{l['type']}.dat").exists():
-                (self.folder / f"{self.id(l['type'])}.dat").write_text(
+            table = self.folder / f"{self.id(l['type'])}.dat"
+            if not table.exists():
+                table.write_text(
                     f"2\n0 0 {len(d.gamma)}\n{text(d.gamma)}\n0 0 {len(d.c)}\n{text(d.c)}\n"
                     + "\n".join(text(row) for row in d.candela) + "\n")
             (self.folder / f"{name}.cal").write_text(
@@ -124,7 +125,7 @@ class Scene:
                 "gam = Acos(clip(cz))*57.29577951308232;\n"
                 "raw = atan2(cy, cx)*57.29577951308232;\nplane = if(raw, raw, raw+360);\n"
                 f"area = {area};\nlum(v) = if(area-1e-12, v/area, 0);\n")
-            self.lines.append(f"void brightdata {name}_p 5 lum {self.id(l['type'])}.dat {name}.cal gam plane 0 0")
+            self.lines.append(f"void brightdata {name}_p 5 lum {table.name} {name}.cal gam plane 0 0")
             modifier = f"{name}_p"
             luminance *= l["scale"]
         material = f"{name}_m"
@@ -170,7 +171,6 @@ class Scene:
 
 def trace(folder, programs, environment, points, normals, seed, options):
     order = np.random.default_rng(seed).permutation(len(points))
-    # A turn of the normal's own frame is not to be had; the order of the points decides the random numbers.
     rays = "\n".join(text(np.append(points[i], normals[i])) for i in order) + "\n"
     out = subprocess.run(["nice", "-n", "10", str(programs / "rtrace"), *options, "scene.oct"], input=rays.encode(), cwd=folder,
                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True)
@@ -180,53 +180,61 @@ def trace(folder, programs, environment, points, normals, seed, options):
     return result
 
 
-def calculate(project, replicates=4, n_bands=3, samples=256, bounces=12, weight=1e-4, workers=2):
-    """Per grid: name and an array replicates x points of illuminances, lx."""
-    programs, raypath = radiance()
-    environment = {**os.environ, "RAYPATH": raypath, "PATH": f"{programs}:{os.environ['PATH']}"}
-    reader = project_file.Reader(project, n_bands)
-    _, solids = reader.objects()
-    grids = reader.grids(solids)
-    points = np.concatenate([g["points"] for g in grids])
-    normals = np.concatenate([g["normals"] for g in grids])
-    options = [o.format(bounces=bounces, samples=samples, weight=weight) for o in OPTIONS]
-    total = np.zeros((replicates, len(points)))
-    with tempfile.TemporaryDirectory() as temporary:
-        jobs = []
-        with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-            for first in range(0, n_bands, 3):
-                folder = pathlib.Path(temporary) / f"bands{first}"
-                folder.mkdir()
-                Scene(folder, reader, list(range(first, first + 3)))
-                with open(folder / "scene.oct", "wb") as octree:
-                    subprocess.run([str(programs / "oconv"), "scene.rad"], cwd=folder, env=environment, stdout=octree, check=True)
-                for r in range(replicates):
-                    jobs.append((r, pool.submit(trace, folder, programs, environment, points, normals, 1000 * first + r, options)))
+class Calculation:
+    """Illuminances of points in a project's scene, by rtrace."""
+
+    def __init__(self, project, n_bands, folder, workers=2):
+        self.programs, raypath = radiance()
+        self.environment = {**os.environ, "RAYPATH": raypath, "PATH": f"{self.programs}:{os.environ['PATH']}"}
+        self.reader = project_file.Reader(project, n_bands)
+        self.grids = self.reader.grids(self.reader.objects()[1])
+        self.workers, self.folders = workers, []
+        for first in range(0, n_bands, 3):
+            place = pathlib.Path(folder) / f"bands{first}"
+            place.mkdir()
+            Scene(place, self.reader, list(range(first, first + 3)))
+            with open(place / "scene.oct", "wb") as octree:
+                subprocess.run([str(self.programs / "oconv"), "scene.rad"], cwd=place, env=self.environment, stdout=octree,
+                               check=True)
+            self.folders.append(place)
+
+    def illuminances(self, points, normals, replicates, seed, bounces=12, samples=256, weight=1e-4):
+        """Array replicates x points, lx."""
+        options = [o.format(bounces=bounces, samples=samples, weight=weight) for o in OPTIONS]
+        total = np.zeros((replicates, len(points)))
+        with concurrent.futures.ThreadPoolExecutor(self.workers) as pool:
+            jobs = [(r, pool.submit(trace, place, self.programs, self.environment, points, normals, seed + 100 * r + k, options))
+                    for k, place in enumerate(self.folders) for r in range(replicates)]
             for r, job in jobs:
                 total[r] += job.result().sum(axis=1)
-    start = 0
-    for g in grids:
-        g["illuminance"] = total[:, start:start + len(g["points"])]
-        start += len(g["points"])
-    return grids
+        return total
 
 
-def summary(grid):
+def interval(values, axis=0):
+    """Mean over replicates and the statistical half-width of its 95 % interval."""
+    n = values.shape[axis]
+    return values.mean(axis=axis), T95[n] * values.std(axis=axis, ddof=1) / math.sqrt(n)
+
+
+def summary(calculation, grid, replicates, **options):
     """mean, min, max, u0 = min / mean with 95 % half-widths: replicates, and what the options leave out."""
-    e = grid["illuminance"]
-    n = len(e)
-    t = T95.get(n, 2.1)
-    point = e.mean(axis=0)
-    spread = e.std(axis=0, ddof=1) / math.sqrt(n)
-    mean = point.mean()
-    half_mean = t * e.mean(axis=1).std(ddof=1) / math.sqrt(n) + SYSTEMATIC * mean
-    values = [("mean", mean, half_mean, "lx")]
-    # The extreme of noisy values lies too far out by up to some standard errors: four cover it.
-    for name, index in (("min", point.argmin()), ("max", point.argmax())):
-        values.append((name, point[index], 4 * np.sqrt((spread ** 2).mean()) + SYSTEMATIC * point[index], "lx"))
-    low, half_low = values[1][1], values[1][2]
-    values.append(("u0", low / mean, low / mean * (half_low / low + half_mean / mean), "1"))
-    return values
+    points, normals = grid["points"], grid["normals"]
+    first = calculation.illuminances(points, normals, replicates, 1, **options)
+    mean, half_mean = interval(first.mean(axis=1))
+    half_mean += SYSTEMATIC * mean
+    result = [("mean", float(mean), float(half_mean), "lx")]
+    # The extreme of noisy values lies too far out: candidates are calculated afresh, with more samples.
+    order = first.mean(axis=0).argsort()
+    for name, candidates, pick in (("min", order[:10], np.argmin), ("max", order[-10:], np.argmax)):
+        again = calculation.illuminances(points[candidates], normals[candidates], 8, 5000,
+                                         **{**options, "samples": 8 * options.get("samples", 256)})
+        value, half = interval(again)
+        k = pick(value)
+        pooled = float(np.sqrt((half ** 2).mean()))  # of ten candidates: steadier than one point's own
+        result.append((name, float(value[k]), 1.5 * pooled + SYSTEMATIC * float(value[k]), "lx"))
+    low, half_low = result[1][1], result[1][2]
+    result.append(("u0", low / mean, low / mean * (half_low / low + half_mean / mean), "1"))
+    return result
 
 
 def main():
@@ -239,14 +247,15 @@ def main():
     parser.add_argument("--weight", type=float, default=1e-4)
     parser.add_argument("--out", help="write the values as expected.json")
     arguments = parser.parse_args()
-    grids = calculate(arguments.project, arguments.replicates, arguments.bands, arguments.samples, arguments.bounces,
-                      arguments.weight)
     values = []
-    for grid in grids:
-        for name, value, half, unit in summary(grid):
-            print(f"{grid['name']:24s} {name:5s} {value:10.4f} +- {half:.4f} {unit}")
-            values.append({"grid": grid["name"], "quantity": name, "value": float(f"{value:.5g}"),
-                           "half_width": float(f"{half:.2g}"), "unit": unit})
+    with tempfile.TemporaryDirectory() as folder:
+        calculation = Calculation(arguments.project, arguments.bands, folder)
+        for grid in calculation.grids:
+            for name, value, half, unit in summary(calculation, grid, arguments.replicates, bounces=arguments.bounces,
+                                                   samples=arguments.samples, weight=arguments.weight):
+                print(f"{grid['name']:24s} {name:5s} {value:10.4f} +- {half:.4f} {unit}", flush=True)
+                values.append({"grid": grid["name"], "quantity": name, "value": float(f"{value:.5g}"),
+                               "half_width": float(f"{half:.2g}"), "unit": unit})
     if arguments.out:
         source = (f"Radiance rtrace (pure Monte Carlo, -ab {arguments.bounces} -ad {arguments.samples}, {arguments.replicates} replicates, "
                   f"{arguments.bands} spectral bands) on the scene written by tests/references/to_radiance.py")
