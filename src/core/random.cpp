@@ -1,0 +1,72 @@
+#include "core/random.h"
+
+#include <bit>
+
+namespace goniolux::core {
+namespace {
+
+constexpr std::uint32_t reverseBits(std::uint32_t x) {
+  x = (x << 16) | (x >> 16);
+  x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
+  x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
+  return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
+}
+
+// A permutation in which each bit depends on lower bits only: Owen scrambling of the reversed word ([burley20], improved
+// constants by N. Vegdahl, 2021).
+constexpr std::uint32_t laineKarras(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return x;
+}
+
+constexpr std::uint32_t owenScramble(std::uint32_t x, std::uint32_t seed) {
+  return reverseBits(laineKarras(reverseBits(x), seed));
+}
+
+// Generator matrices of the first four Sobol dimensions ([joe-kuo08], new-joe-kuo-6: s, a, m = (1,0,1), (2,1,1 3), (3,1,1 3 1)).
+struct SobolMatrices {
+  std::array<std::array<std::uint32_t, 32>, 4> column{};
+  constexpr SobolMatrices() {
+    for (unsigned i = 0; i < 32; ++i) column[0][i] = 1u << (31 - i);
+    fill(1, 1, 0, {1, 0, 0});
+    fill(2, 2, 1, {1, 3, 0});
+    fill(3, 3, 1, {1, 3, 1});
+  }
+  constexpr void fill(unsigned d, unsigned s, unsigned a, std::array<std::uint32_t, 3> m) {
+    for (unsigned i = 0; i < 32; ++i) {
+      if (i < s) {
+        column[d][i] = m[i] << (31 - i);
+        continue;
+      }
+      column[d][i] = column[d][i - s] ^ (column[d][i - s] >> s);
+      for (unsigned k = 1; k < s; ++k)
+        if ((a >> (s - 1 - k)) & 1u) column[d][i] ^= column[d][i - k];
+    }
+  }
+};
+constexpr SobolMatrices sobol;
+
+}  // namespace
+
+void Sampler::refill() {
+  const std::uint64_t seed = combine(key_, group_);
+  std::uint32_t index = owenScramble(sample_, static_cast<std::uint32_t>(seed));
+  std::array<std::uint32_t, 4> x{};
+  for (; index != 0; index &= index - 1) {
+    const auto bit = static_cast<unsigned>(std::countr_zero(index));
+    for (unsigned d = 0; d < 4; ++d) x[d] ^= sobol.column[d][bit];
+  }
+  for (unsigned d = 0; d < 4; ++d) {
+    const auto scramble = static_cast<std::uint32_t>(mix(seed + d + 1) >> 32);
+    values_[d] = owenScramble(x[d], scramble) * 0x1p-32;
+  }
+  ++group_;
+  used_ = 0;
+}
+
+}  // namespace goniolux::core
