@@ -1,5 +1,5 @@
-// Diagnostics: what a reader or a check has to say about its input. A reader returns a value and all its diagnostics together;
-// a stage ends in one InputError that lists them. Library code never prints and never exits.
+// Diagnostics: what a reader or a check has to say about its input. A reader returns a value and all its diagnostics
+// together; a stage ends in one InputError that lists them. Library code never prints and never exits.
 #pragma once
 
 #include <stdexcept>

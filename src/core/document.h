@@ -1,5 +1,6 @@
-// Document: a JSON value that knows where it stands in its file, and a writer. The JSON library is used in document.cpp only.
-// Reading allows // and /* */ comments, refuses repeated keys and trailing commas (advice: positions are what errors need).
+// Document: a JSON value that knows where it stands in its file, and a writer. The JSON library is used in document.cpp
+// only. Reading allows // and /* */ comments, refuses repeated keys and trailing commas (advice: positions are what
+// errors need).
 #pragma once
 
 #include <cstdint>
@@ -21,16 +22,16 @@ class Value {
   using Object = std::vector<std::pair<std::string, Value>>;
 
   Value() = default;
-  Value(bool value) : kind_(Kind::boolean), boolean_(value) {}                     // NOLINT: values convert on purpose
-  Value(double value) : kind_(Kind::number), number_(value) {}                     // NOLINT
-  Value(int value) : Value(static_cast<double>(value)) {}                          // NOLINT
-  Value(std::int64_t value) : Value(static_cast<double>(value)) {}                 // NOLINT
-  Value(std::uint64_t value) : Value(static_cast<double>(value)) {}                // NOLINT
-  Value(std::string value) : kind_(Kind::string), string_(std::move(value)) {}     // NOLINT
-  Value(std::string_view value) : Value(std::string(value)) {}                     // NOLINT
-  Value(const char* value) : Value(std::string(value)) {}                          // NOLINT
-  Value(Array values) : kind_(Kind::array), array_(std::move(values)) {}           // NOLINT
-  Value(Object members) : kind_(Kind::object), object_(std::move(members)) {}      // NOLINT
+  Value(bool value) : kind_(Kind::boolean), boolean_(value) {}                  // NOLINT: values convert on purpose
+  Value(double value) : kind_(Kind::number), number_(value) {}                  // NOLINT
+  Value(int value) : Value(static_cast<double>(value)) {}                       // NOLINT
+  Value(std::int64_t value) : Value(static_cast<double>(value)) {}              // NOLINT
+  Value(std::uint64_t value) : Value(static_cast<double>(value)) {}             // NOLINT
+  Value(std::string value) : kind_(Kind::string), string_(std::move(value)) {}  // NOLINT
+  Value(std::string_view value) : Value(std::string(value)) {}                  // NOLINT
+  Value(const char* value) : Value(std::string(value)) {}                       // NOLINT
+  Value(Array values) : kind_(Kind::array), array_(std::move(values)) {}        // NOLINT
+  Value(Object members) : kind_(Kind::object), object_(std::move(members)) {}   // NOLINT
   template <typename T>
   static Value arrayOf(const std::vector<T>& values) {
     Array array;
@@ -80,13 +81,14 @@ class Value {
 /// Parses JSON text. On bad syntax `diagnostics` gets errors with line and column and a null value is returned.
 Value parseJson(const std::string& text, const std::string& fileName, Diagnostics& diagnostics);
 
-/// JSON text of the value, ending in a newline; numbers are written with the fewest digits that read back the same, NaN and
-/// infinities as null. Arrays of scalars stay on one line (broken at 120 columns).
+/// JSON text of the value, ending in a newline; numbers are written with the fewest digits that read back the same, NaN
+/// and infinities as null. Arrays of scalars stay on one line (broken at 120 columns).
 std::string toJson(const Value& value);
 
 /// Whole file as bytes; an InputError names the file if it cannot be read.
 std::string readFile(const std::string& path);
-/// Writes beside the target and renames: an earlier file stays whole until the new one is. RunError when the disk says no.
+/// Writes beside the target and renames: an earlier file stays whole until the new one is. RunError when the disk says
+/// no.
 void writeFile(const std::string& path, std::string_view bytes);
 
 }  // namespace goniolux::core

@@ -2,8 +2,8 @@
 
 #include <time.h>
 
-#include <xmmintrin.h>
 #include <pmmintrin.h>
+#include <xmmintrin.h>
 
 #include <algorithm>
 #include <atomic>
@@ -25,7 +25,9 @@ void flushDenormals() {
 
 }  // namespace
 
-void setThreadCount(int count) { chosenThreads.store(std::max(0, count)); }
+void setThreadCount(int count) {
+  chosenThreads.store(std::max(0, count));
+}
 
 int threadCount() {
   const int chosen = chosenThreads.load();

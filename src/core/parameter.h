@@ -1,5 +1,5 @@
-// Parameter: how a registry entry describes one of its settings. The project reader, the schema, the help texts and the forms of
-// the interface read the same description.
+// Parameter: how a registry entry describes one of its settings. The project reader, the schema, the help texts and the
+// forms of the interface read the same description.
 #pragma once
 
 #include <limits>
@@ -13,17 +13,17 @@
 namespace goniolux::core {
 
 enum class ParameterKind {
-  number,    ///< double
-  length,    ///< double; the project's units in the file, metres inside
-  text,      ///< std::string
-  file,      ///< std::string: resolved path
-  spectrum,  ///< a SPECTRUM of the project format
-  direction, ///< Vec3, any length but 0
-  point,     ///< Vec3, lengths
-  points2,   ///< list of Vec2, lengths
-  points3,   ///< list of Vec3, lengths
-  faces,     ///< list of lists of vertex indices (points3 of another key)
-  loops3,    ///< list of lists of Vec3, lengths (holes)
+  number,     ///< double
+  length,     ///< double; the project's units in the file, metres inside
+  text,       ///< std::string
+  file,       ///< std::string: resolved path
+  spectrum,   ///< a SPECTRUM of the project format
+  direction,  ///< Vec3, any length but 0
+  point,      ///< Vec3, lengths
+  points2,    ///< list of Vec2, lengths
+  points3,    ///< list of Vec3, lengths
+  faces,      ///< list of lists of vertex indices (points3 of another key)
+  loops3,     ///< list of lists of Vec3, lengths (holes)
 };
 
 struct Parameter {
@@ -38,8 +38,8 @@ struct Parameter {
 };
 
 /// Values by parameter key, checked against their descriptions and converted to SI.
-using Argument = std::variant<double, std::string, Vec3, std::vector<Vec2>, std::vector<Vec3>, std::vector<std::vector<int>>,
-                              std::vector<std::vector<Vec3>>>;
+using Argument = std::variant<double, std::string, Vec3, std::vector<Vec2>, std::vector<Vec3>,
+                              std::vector<std::vector<int>>, std::vector<std::vector<Vec3>>>;
 using Arguments = std::map<std::string, Argument>;
 
 }  // namespace goniolux::core

@@ -13,8 +13,8 @@ constexpr std::uint32_t reverseBits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
 }
 
-// A permutation in which each bit depends on lower bits only: Owen scrambling of the reversed word ([burley20], improved
-// constants by N. Vegdahl, 2021).
+// A permutation in which each bit depends on lower bits only: Owen scrambling of the reversed word ([burley20],
+// improved constants by N. Vegdahl, 2021).
 constexpr std::uint32_t laineKarras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -28,7 +28,8 @@ constexpr std::uint32_t owenScramble(std::uint32_t x, std::uint32_t seed) {
   return reverseBits(laineKarras(reverseBits(x), seed));
 }
 
-// Generator matrices of the first four Sobol dimensions ([joe-kuo08], new-joe-kuo-6: s, a, m = (1,0,1), (2,1,1 3), (3,1,1 3 1)).
+// Generator matrices of the first four Sobol dimensions ([joe-kuo08], new-joe-kuo-6: s, a, m = (1,0,1), (2,1,1 3),
+// (3,1,1 3 1)).
 struct SobolMatrices {
   std::array<std::array<std::uint32_t, 32>, 4> column{};
   constexpr SobolMatrices() {

@@ -1,8 +1,10 @@
-// Random numbers for sampling: Owen-scrambled Sobol points as a pure function of (key, sample, dimension), so that no number
-// depends on threads or on the order of work. Each key is an independent randomisation: replicates with different keys are
-// independent, and within one key the first 2^m samples are well distributed in every group of four dimensions.
+// Random numbers for sampling: Owen-scrambled Sobol points as a pure function of (key, sample, dimension), so that no
+// number depends on threads or on the order of work. Each key is an independent randomisation: replicates with
+// different keys are independent, and within one key the first 2^m samples are well distributed in every group of four
+// dimensions.
 //
-// Method: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; direction numbers: S. Joe and F. Kuo, 2008.
+// Method: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; direction numbers: S. Joe and F. Kuo,
+// 2008.
 #pragma once
 
 #include <array>
@@ -19,7 +21,9 @@ constexpr std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
   return x ^ (x >> 31);
 }
-constexpr std::uint64_t combine(std::uint64_t key, std::uint64_t word) { return mix(key ^ mix(word)); }
+constexpr std::uint64_t combine(std::uint64_t key, std::uint64_t word) {
+  return mix(key ^ mix(word));
+}
 
 /// The numbers of one sample of one key; each call uses up dimensions.
 class Sampler {

@@ -34,7 +34,9 @@ double incompleteBeta(double a, double b, double x) {
 
 }  // namespace
 
-double studentProbability(double dof, double t) { return 1 - incompleteBeta(dof / 2, 0.5, dof / (dof + t * t)); }
+double studentProbability(double dof, double t) {
+  return 1 - incompleteBeta(dof / 2, 0.5, dof / (dof + t * t));
+}
 
 double studentQuantile(double dof, double confidence) {
   double low = 0, high = 1;

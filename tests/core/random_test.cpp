@@ -39,7 +39,8 @@ TEST(Sampler, DifferentKeysAreUncorrelated) {
   EXPECT_LT(std::abs(sum / 4096), 5.0 / 64);
 }
 
-// Integral of x^2 y^2 z^2 w^2 = 1/81 with 1024 points: scrambled nets reach far below the 1/sqrt(n) of random points (0.035/32 = 1e-3).
+// Integral of x^2 y^2 z^2 w^2 = 1/81 with 1024 points: scrambled nets reach far below the 1/sqrt(n) of random points
+// (0.035/32 = 1e-3).
 TEST(Sampler, IntegratesSmoothFunctionsBetterThanRandomPoints) {
   double worst = 0;
   for (std::uint64_t key = 0; key < 20; ++key) {

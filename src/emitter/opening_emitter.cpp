@@ -1,0 +1,107 @@
+#include "emitter/opening_emitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "emitter/quadrature.h"
+
+namespace goniolux::emitter {
+
+using core::Vec3;
+
+OpeningEmitter::OpeningEmitter(const Vec3& center, double boundingRadius, Output output)
+    : center_(center), boundingRadius_(boundingRadius), output_(std::move(output)) {
+  flux_ = output_.distribution ? output_.scale * output_.distribution->flux() : output_.flux_lm;
+  peakIntensity_ = output_.distribution ? output_.scale * output_.distribution->maximumIntensity() : flux_ / core::pi;
+}
+
+void OpeningEmitter::setEmittingArea(double area) {
+  if (!output_.distribution) uniformLuminance_ = flux_ / (core::pi * area);
+}
+
+double OpeningEmitter::elementIntensity(const Vec3& normal, const Vec3& direction) const {
+  const double cosine = glm::dot(normal, direction);
+  if (cosine <= 0) return 0;
+  if (!output_.distribution) return uniformLuminance_ * cosine;
+  const double area = projectedArea(direction);
+  return area > 0 ? intensity(direction) * cosine / area : 0;
+}
+
+double OpeningEmitter::luminance(const Vec3& normal, const Vec3& direction) const {
+  if (glm::dot(normal, direction) <= 0) return 0;
+  if (!output_.distribution) return uniformLuminance_;
+  static const double grazing = std::sin(1 * core::degree);
+  const double largest = core::pi * boundingRadius_ * boundingRadius_;
+  const double area = std::max(projectedArea(direction), grazing * std::min(largest, projectedArea(normal)));
+  return area > 0 ? intensity(direction) / area : 0;
+}
+
+Illuminance OpeningEmitter::illuminance(const Vec3& point, const Vec3& normal, double tolerance) const {
+  Illuminance sum;
+  for (int patch = 0; patch < patchCount(); ++patch) {
+    const auto integrand = [&](const core::Vec2& uv) {
+      const Element e = element(patch, uv, point);
+      if (e.area == 0) return 0.0;
+      const Vec3 toElement = e.point - point;
+      const double squared = glm::dot(toElement, toElement);
+      const Vec3 direction = toElement / std::sqrt(squared);
+      const double cosine = glm::dot(normal, direction);
+      if (cosine <= 0) return 0.0;
+      return elementIntensity(e.normal, -direction) * cosine / squared * e.area;
+    };
+    const QuadratureResult part = integrateSquare(integrand, tolerance);
+    sum.value += part.value;
+    sum.bound += part.bound;
+  }
+  return sum;
+}
+
+double OpeningEmitter::importance(const Vec3& point, const Vec3& normal) const {
+  const Vec3 toCenter = center_ - point;
+  const double distance = glm::length(toCenter);
+  const double reach = std::max(distance, boundingRadius_);
+  // The largest cosine under which any part of the bounding sphere is seen.
+  const double cosine = distance > 0 ? glm::dot(toCenter, normal) / distance : 1.0;
+  const double spread = distance > boundingRadius_ ? boundingRadius_ / distance : 1.0;
+  if (distance > 0 && cosine <= -spread) return 0;
+  const double facing = std::max(cosine, 0.25 * (cosine + spread));
+  // A near opening is seen under many directions: its intensity towards the centre alone may be 0 where its edge still
+  // shines.
+  const double floor = 0.02 + 0.2 * std::min(1.0, spread * spread);
+  const double towards = distance > 0 ? intensity(-toCenter / distance) : peakIntensity_;
+  return (towards + floor * peakIntensity_) * facing / (reach * reach);
+}
+
+IncidentLight OpeningEmitter::fromElement(const Vec3& point, const Vec3& elementPoint, const Vec3& elementNormal,
+                                          double pdf) const {
+  const Vec3 toElement = elementPoint - point;
+  const double squared = glm::dot(toElement, toElement);
+  if (squared == 0 || pdf <= 0) return {};
+  const double distance = std::sqrt(squared);
+  const Vec3 direction = toElement / distance;
+  return {direction, distance, elementIntensity(elementNormal, -direction) / (squared * pdf)};
+}
+
+std::unique_ptr<Emitter> makeEmitter(const Opening& opening, const Vec3& center, const Output& output) {
+  switch (opening.shape) {
+    case Opening::Shape::point:
+      return makePointEmitter(center, output);
+    case Opening::Shape::rectangle:
+      return makeRectangleEmitter(opening, center, output);
+    case Opening::Shape::disc:
+      return makeDiscEmitter(opening, center, output);
+    case Opening::Shape::box:
+      return makeBoxEmitter(opening, center, output);
+    case Opening::Shape::sphere:
+      return makeSphereEmitter(opening, center, output);
+    case Opening::Shape::cylinder:
+    case Opening::Shape::tube:
+      return makeCylinderEmitter(opening, center, output);
+    case Opening::Shape::line:
+      return makeLineEmitter(opening, center, output);
+  }
+  return nullptr;
+}
+
+}  // namespace goniolux::emitter
