@@ -1,4 +1,5 @@
-// Environment: everything that light meets, as the project states it: validated once, then read-only. Metres, world frame.
+// Environment: everything that light meets, as the project states it: validated once, then read-only. Metres, world
+// frame.
 #pragma once
 
 #include <cstdint>
@@ -27,21 +28,21 @@ struct Object {
 
 /// One luminaire (each element of an array is one).
 struct Luminaire {
-  std::string name;                      ///< "L" or "L[i,j]"
-  std::string type;                      ///< the project's luminaire entry that it came from
-  std::string photometry;                ///< file name or built-in name, for tables and provenance
+  std::string name;        ///< "L" or "L[i,j]"
+  std::string type;        ///< the project's luminaire entry that it came from
+  std::string photometry;  ///< file name or built-in name, for tables and provenance
   std::string group;
   core::Vec3 center{0, 0, 0};
   photometry::LuminaireFrame frame;
   emitter::Opening opening;
   /// Null for "diffuse" (uniform luminance over the whole opening).
   std::shared_ptr<const photometry::IntensityDistribution> distribution;
-  double scale = 1;                      ///< multiplies the distribution's candelas so that `flux_lm` leaves the luminaire
-  double flux_lm = 0;                    ///< before maintenance and dimming
+  double scale = 1;    ///< multiplies the distribution's candelas so that `flux_lm` leaves the luminaire
+  double flux_lm = 0;  ///< before maintenance and dimming
   double maintenance = 1, dimming = 1;
-  double watts = 0;                      ///< 0 = not stated
-  double reflectance = 0;                ///< of the opening's geometry
-  std::uint32_t spectrum = 0;            ///< index into Environment::sourceSpectra
+  double watts = 0;            ///< 0 = not stated
+  double reflectance = 0;      ///< of the opening's geometry
+  std::uint32_t spectrum = 0;  ///< index into Environment::sourceSpectra
   core::SourcePosition position;
 };
 

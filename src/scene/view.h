@@ -19,7 +19,8 @@ struct View {
   core::SourcePosition position;
 };
 
-/// A ray of the view through image coordinates x in [0, width), y in [0, height), y down. `inside` is false outside a fisheye circle.
+/// A ray of the view through image coordinates x in [0, width), y in [0, height), y down. `inside` is false outside a
+/// fisheye circle.
 struct ViewRay {
   core::Vec3 origin, direction;
   bool inside = true;

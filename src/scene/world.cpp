@@ -1,0 +1,247 @@
+#include "scene/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <limits>
+
+#include "geometry/bounds.h"
+#include "geometry/quadric_intersect.h"
+
+namespace goniolux::scene {
+namespace {
+
+using core::Mat4;
+using core::Vec3;
+using emitter::Opening;
+
+Vec3 transformed(const Mat4& m, const Vec3& p) {
+  return Vec3(m * glm::dvec4(p, 1.0));
+}
+
+class Builder {
+ public:
+  explicit Builder(const Environment& environment) : environment_(environment) {
+    world_.materials = environment.materials;
+    world_.sourceSpectra = environment.sourceSpectra;
+  }
+
+  World build() {
+    center();
+    for (std::uint32_t i = 0; i < environment_.objects.size(); ++i) addObject(i);
+    for (std::uint32_t i = 0; i < environment_.luminaires.size(); ++i) addLuminaire(i);
+    return std::move(world_);
+  }
+
+ private:
+  // The box about everything, luminaires included.
+  void center() {
+    constexpr double huge = std::numeric_limits<double>::max();
+    Vec3 low(huge), high(-huge);
+    const auto include = [&](const Vec3& p) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    };
+    for (const Object& object : environment_.objects) {
+      for (const Vec3& v : object.shape.mesh.vertices) include(transformed(object.transform, v));
+      for (const auto& patch : object.shape.patches) {
+        const geometry::Bounds bounds = geometry::boundsOf(patch, object.transform);
+        include(bounds.min);
+        include(bounds.max);
+      }
+    }
+    for (const Luminaire& luminaire : environment_.luminaires) include(luminaire.center);
+    if (low.x > high.x) return;
+    world_.origin = 0.5 * (low + high);
+    world_.radius = std::max(0.5 * glm::length(high - low), 1e-6);
+  }
+
+  std::uint32_t addSurface(Surface surface) {
+    world_.surfaces.push_back(surface);
+    return static_cast<std::uint32_t>(world_.surfaces.size() - 1);
+  }
+
+  void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t surface) {
+    if (glm::length(glm::cross(b - a, c - a)) == 0) return;  // no area: neither seen nor lit
+    const auto first = static_cast<std::uint32_t>(world_.vertices.size());
+    world_.vertices.insert(world_.vertices.end(), {a, b, c});
+    world_.triangles.push_back({first, first + 1, first + 2});
+    world_.triangleSurfaces.push_back(surface);
+  }
+
+  void addPatch(geometry::QuadricPatch patch, const Mat4& toWorld, std::uint32_t surface) {
+    patch.placement = toWorld * patch.placement;
+    const Mat4 inverse = glm::inverse(patch.placement);
+    world_.patches.push_back({patch, inverse, surface});
+  }
+
+  std::uint32_t sourceSpectrum(const spectrum::SpectralDistribution& spectrum) {
+    const auto found = std::find(world_.sourceSpectra.begin(), world_.sourceSpectra.end(), spectrum);
+    if (found != world_.sourceSpectra.end()) return static_cast<std::uint32_t>(found - world_.sourceSpectra.begin());
+    world_.sourceSpectra.push_back(spectrum);
+    return static_cast<std::uint32_t>(world_.sourceSpectra.size() - 1);
+  }
+
+  void addObject(std::uint32_t index) {
+    const Object& object = environment_.objects[index];
+    std::vector<std::uint32_t> partSurface;
+    for (const std::uint32_t material : object.materials) {
+      Surface surface;
+      surface.material = material;
+      surface.object = index;
+      if (const auto& emission = environment_.materials[material].emission; emission && emission->exitance_lm_m2 > 0) {
+        surface.luminance = emission->exitance_lm_m2 / core::pi;
+        surface.spectrum = sourceSpectrum(emission->spectrum);
+      }
+      partSurface.push_back(addSurface(surface));
+    }
+    Mat4 toWorld = object.transform;
+    toWorld[3] -= glm::dvec4(world_.origin, 0.0);
+    const auto& mesh = object.shape.mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& corner = mesh.triangles[t];
+      const Vec3 a = transformed(toWorld, mesh.vertices[corner[0]]), b = transformed(toWorld, mesh.vertices[corner[1]]),
+                 c = transformed(toWorld, mesh.vertices[corner[2]]);
+      const std::uint32_t surface = partSurface[mesh.parts[t]];
+      addTriangle(a, b, c, surface);
+      const Surface& finish = world_.surfaces[surface];
+      if (finish.luminance > 0 && glm::length(glm::cross(b - a, c - a)) > 0)
+        world_.emitters.push_back(
+            {emitter::makeTriangleEmitter(a, b, c, finish.luminance * core::pi), finish.spectrum, none, true});
+    }
+    for (const auto& patch : object.shape.patches) addPatch(patch, toWorld, partSurface[patch.part]);
+    world_.chordError = std::max(world_.chordError, object.shape.chordError);
+  }
+
+  // True when a flat opening lies in a surface of the environment (within 1e-6 of the world's size).
+  bool liesOnSurface(const Vec3& center, const Vec3& axis) const {
+    const double tolerance = 1e-6 * 2 * world_.radius;
+    for (std::size_t t = 0; t < world_.triangles.size(); ++t) {
+      if (world_.surfaces[world_.triangleSurfaces[t]].object == none) continue;
+      const Vec3 &a = world_.vertices[world_.triangles[t][0]], &b = world_.vertices[world_.triangles[t][1]],
+                 &c = world_.vertices[world_.triangles[t][2]];
+      const Vec3 normal = glm::normalize(glm::cross(b - a, c - a));
+      if (std::abs(glm::dot(normal, axis)) < 1 - 1e-9 || std::abs(glm::dot(center - a, normal)) > tolerance) continue;
+      // inside the triangle?
+      const double s = glm::dot(glm::cross(b - a, center - a), normal),
+                   u = glm::dot(glm::cross(c - b, center - b), normal),
+                   v = glm::dot(glm::cross(a - c, center - c), normal);
+      if (s >= 0 && u >= 0 && v >= 0) return true;
+    }
+    return false;
+  }
+
+  std::uint32_t openingMaterial(const Luminaire& luminaire) {
+    material::Material material;
+    material.name = luminaire.type + " (opening)";
+    material.model = "lambert";
+    material.spectra["diffuse"] = spectrum::SpectralDistribution::flat(luminaire.reflectance);
+    for (std::size_t i = environment_.materials.size(); i < world_.materials.size(); ++i)
+      if (world_.materials[i].name == material.name) return static_cast<std::uint32_t>(i);
+    world_.materials.push_back(material);
+    return static_cast<std::uint32_t>(world_.materials.size() - 1);
+  }
+
+  void addLuminaire(std::uint32_t index) {
+    const Luminaire& luminaire = environment_.luminaires[index];
+    Vec3 center = luminaire.center - world_.origin;
+    const Opening& opening = luminaire.opening;
+    const bool flat = opening.shape == Opening::Shape::rectangle || opening.shape == Opening::Shape::disc;
+    if (flat && liesOnSurface(center, luminaire.frame.aim)) center += luminaire.frame.aim * (4e-6 * world_.radius);
+
+    const double factor = luminaire.maintenance * luminaire.dimming;
+    emitter::Output output;
+    output.distribution = luminaire.distribution;
+    output.frame = luminaire.frame;
+    output.scale = luminaire.scale * factor;
+    output.flux_lm = luminaire.flux_lm * factor;
+
+    std::uint32_t source = none;
+    auto made = emitter::makeEmitter(opening, center, output);
+    const bool lit = made->flux() > 0;
+    const bool hasGeometry = opening.shape != Opening::Shape::point && opening.shape != Opening::Shape::line;
+    if (lit) {
+      world_.emitters.push_back({std::move(made), luminaire.spectrum, index, hasGeometry});
+      source = static_cast<std::uint32_t>(world_.emitters.size() - 1);
+    }
+    if (!hasGeometry) return;
+    Surface surface;
+    surface.material = openingMaterial(luminaire);
+    surface.emitter = source;
+    addOpeningGeometry(opening, luminaire.frame, center, addSurface(surface));
+  }
+
+  void addOpeningGeometry(const Opening& opening, const photometry::LuminaireFrame& frame, const Vec3& center,
+                          std::uint32_t surface) {
+    const auto placed = [&](const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& base) {
+      return Mat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(base, 1));
+    };
+    const auto add = [&](geometry::QuadricPatch::Kind kind, const Mat4& placement) {
+      geometry::QuadricPatch patch;
+      patch.kind = kind;
+      addPatch(patch, placement, surface);
+    };
+    const auto quad = [&](const Vec3& middle, const Vec3& u, const Vec3& v) {
+      addTriangle(middle - u - v, middle + u - v, middle + u + v, surface);
+      addTriangle(middle - u - v, middle + u + v, middle - u + v, surface);
+    };
+    using Kind = geometry::QuadricPatch::Kind;
+    const double radius = 0.5 * opening.diameter;
+    // Windings and patch axes are chosen so that the geometric normal is the side of the aim, or outward.
+    switch (opening.shape) {
+      case Opening::Shape::rectangle: {
+        const Vec3 u = frame.c0 * (0.5 * opening.length), v = frame.c90 * (0.5 * opening.width);
+        glm::dot(glm::cross(u, v), frame.aim) > 0 ? quad(center, u, v) : quad(center, v, u);
+        break;
+      }
+      case Opening::Shape::disc:
+        add(Kind::disc, placed(frame.c90 * radius, frame.c0 * radius, frame.aim * radius, center));
+        break;
+      case Opening::Shape::box: {
+        const Vec3 half[3] = {frame.c0 * (0.5 * opening.length), frame.c90 * (0.5 * opening.width),
+                              frame.aim * (0.5 * opening.height)};
+        for (int i = 0; i < 3; ++i)
+          for (const double side : {-1.0, 1.0}) {
+            const Vec3 u = half[(i + 1) % 3], v = half[(i + 2) % 3], out = half[i] * side;
+            glm::dot(glm::cross(u, v), out) > 0 ? quad(center + out, u, v) : quad(center + out, v, u);
+          }
+        break;
+      }
+      case Opening::Shape::sphere:
+        add(Kind::sphere, placed(Vec3(radius, 0, 0), Vec3(0, radius, 0), Vec3(0, 0, radius), center));
+        break;
+      case Opening::Shape::cylinder:
+      case Opening::Shape::tube: {
+        const bool caps = opening.shape == Opening::Shape::cylinder;
+        const Vec3 axis = caps ? frame.aim : glm::normalize(opening.axis);
+        const double length = caps ? opening.height : opening.length;
+        Vec3 x, y;
+        core::perpendiculars(axis, x, y);
+        const Vec3 base = center - axis * (0.5 * length), top = center + axis * (0.5 * length);
+        add(Kind::cylinder, placed(x * radius, y * radius, axis * length, base));
+        if (!caps) {  // a tube's ends are dark, but light does not pass through them
+          Surface end = world_.surfaces[surface];
+          end.emitter = none;
+          surface = addSurface(end);
+        }
+        add(Kind::disc, placed(y * radius, x * radius, -axis * radius, base));
+        add(Kind::disc, placed(x * radius, y * radius, axis * radius, top));
+        break;
+      }
+      case Opening::Shape::point:
+      case Opening::Shape::line:
+        break;
+    }
+  }
+
+  const Environment& environment_;
+  World world_;
+};
+
+}  // namespace
+
+World buildWorld(const Environment& environment) {
+  return Builder(environment).build();
+}
+
+}  // namespace goniolux::scene

@@ -1,0 +1,114 @@
+#include "solver/light_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goniolux::solver {
+
+using core::Vec3;
+
+namespace {
+
+// More images than this cost more than they save; longer sequences are then left to chance hits.
+constexpr std::size_t mostLights = 192;
+constexpr int mostMirrors = 8;
+
+}  // namespace
+
+LightList::LightList(const scene::World& world, const std::vector<bool>& isMirror) : world_(world) {
+  for (std::uint32_t i = 0; i < world.emitters.size(); ++i)
+    lights_.push_back({world.emitters[i].emitter.get(), i, world.emitters[i].spectrum, {}});
+  findPlanes(isMirror);
+  addImages();
+}
+
+void LightList::findPlanes(const std::vector<bool>& isMirror) {
+  planeOfTriangle_.assign(world_.triangles.size(), scene::none);
+  const double tolerance = 1e-7 * world_.radius;
+  for (std::size_t t = 0; t < world_.triangles.size(); ++t) {
+    const std::uint32_t material = world_.surfaces[world_.triangleSurfaces[t]].material;
+    if (!isMirror[material]) continue;
+    const auto& corner = world_.triangles[t];
+    const Vec3 &a = world_.vertices[corner[0]], &b = world_.vertices[corner[1]], &c = world_.vertices[corner[2]];
+    const Vec3 normal = glm::normalize(glm::cross(b - a, c - a));
+    std::uint32_t found = scene::none;
+    for (std::uint32_t p = 0; p < planes_.size() && found == scene::none; ++p) {
+      const MirrorPlane& plane = planes_[p];
+      const bool inPlane = plane.material == material && std::abs(plane.side(a)) < tolerance &&
+                           std::abs(plane.side(b)) < tolerance && std::abs(plane.side(c)) < tolerance;
+      if (inPlane && std::abs(glm::dot(plane.normal, normal)) > 1 - 1e-9) found = p;
+    }
+    if (found == scene::none) {
+      if (planes_.size() >= mostLights) continue;  // a finely facetted mirror: chance hits
+      planes_.push_back({normal, glm::dot(normal, a), material});
+      found = static_cast<std::uint32_t>(planes_.size() - 1);
+    }
+    planeOfTriangle_[t] = found;
+  }
+}
+
+// Sequences of increasing length while they stay few: with n planes, n (n - 1)^(k - 1) of length k per emitter.
+void LightList::addImages() {
+  if (planes_.empty()) return;
+  const std::size_t emitters = lights_.size();
+  std::vector<std::vector<std::uint32_t>> sequences{{}};
+  for (int depth = 1; depth <= mostMirrors; ++depth) {
+    std::vector<std::vector<std::uint32_t>> longer;
+    for (const auto& sequence : sequences)
+      for (std::uint32_t p = 0; p < planes_.size(); ++p) {
+        if (!sequence.empty() && sequence.back() == p) continue;
+        longer.push_back(sequence);
+        longer.back().push_back(p);
+      }
+    if (longer.empty() || lights_.size() + emitters * longer.size() > std::max(mostLights, 2 * emitters)) break;
+    for (const auto& sequence : longer)
+      for (std::size_t e = 0; e < emitters; ++e) {
+        Light image = lights_[e];
+        image.mirrors = sequence;
+        lights_.push_back(std::move(image));
+      }
+    imageDepth_ = depth;
+    sequences = std::move(longer);
+  }
+}
+
+Unfolded LightList::unfold(const Light& light, const Vec3& point, const Vec3& normal) const {
+  Unfolded u{point, normal};
+  for (const std::uint32_t p : light.mirrors) {
+    u.point = planes_[p].reflectPoint(u.point);
+    u.normal = planes_[p].reflectDirection(u.normal);
+  }
+  return u;
+}
+
+Vec3 LightList::fold(const Light& light, Vec3 direction) const {
+  for (auto p = light.mirrors.rbegin(); p != light.mirrors.rend(); ++p)
+    direction = planes_[*p].reflectDirection(direction);
+  return direction;
+}
+
+bool LightList::choose(const Vec3& point, const Vec3& normal, double u, std::uint32_t& light,
+                       double& probability) const {
+  thread_local std::vector<double> cumulative;
+  cumulative.resize(lights_.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const Light& candidate = lights_[i];
+    if (candidate.mirrors.empty()) {
+      sum += candidate.emitter->importance(point, normal);
+    } else {
+      const Unfolded seen = unfold(candidate, point, normal);
+      sum += candidate.emitter->importance(seen.point, seen.normal);
+    }
+    cumulative[i] = sum;
+  }
+  if (!(sum > 0)) return false;
+  const double pick = u * sum;
+  std::size_t i = 0;
+  while (i + 1 < cumulative.size() && cumulative[i] <= pick) ++i;
+  light = static_cast<std::uint32_t>(i);
+  probability = (cumulative[i] - (i > 0 ? cumulative[i - 1] : 0.0)) / sum;
+  return probability > 0;
+}
+
+}  // namespace goniolux::solver

@@ -1,0 +1,73 @@
+// Solver: answers "what illuminance arrives at this point and normal" and "what radiance comes along this ray", each as
+// an unbiased estimate that is a pure function of its key, so that independent keys give independent replicates. World
+// frame (scene/world.h).
+//
+// Results are Responses (spectrum/spectral_quadrature.h): X, Y, Z and melanopic; channel 1 is photometric: lx, or
+// cd/m2.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "core/vector.h"
+#include "scene/world.h"
+#include "spectrum/spectral_quadrature.h"
+#include "tracer/tracer.h"
+
+namespace goniolux::solver {
+
+using spectrum::Response;
+
+struct Receiver {
+  core::Vec3 point, normal;
+};
+
+/// What a solver found out about a receiver before it estimates: which light is exact, where samples are needed.
+class ReceiverPlan {
+ public:
+  virtual ~ReceiverPlan() = default;
+  /// Bound of the deterministic part's error, lx ("source_subdivision").
+  double quadratureBound = 0;
+};
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  /// Studies a receiver with samples of its own (`key`): later estimates with other keys stay unbiased.
+  [[nodiscard]] virtual std::unique_ptr<ReceiverPlan> plan(const Receiver& receiver, std::uint64_t key) const = 0;
+  /// One unbiased estimate of the illuminance from `samples` light paths.
+  [[nodiscard]] virtual Response illuminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
+                                             std::uint32_t samples) const = 0;
+  /// One unbiased estimate of the luminance (and X, Z) that arrives at `origin` from `direction`.
+  [[nodiscard]] virtual Response radiance(const core::Vec3& origin, const core::Vec3& direction,
+                                          core::Sampler& random) const = 0;
+
+  /// What this solver leaves out in this world, as sentences; empty: nothing.
+  [[nodiscard]] virtual std::vector<std::string> leftOut() const { return {}; }
+  /// Rays traced so far.
+  [[nodiscard]] std::uint64_t rays() const { return rays_.load(std::memory_order_relaxed); }
+
+ protected:
+  mutable std::atomic<std::uint64_t> rays_{0};
+};
+
+/// Everything a solver works on; must outlive it.
+struct Problem {
+  const scene::World& world;
+  const tracer::Tracer& tracer;
+  const spectrum::SpectralQuadrature& quadrature;
+};
+
+/// The registry of solvers: adding one is a file of its own and a line in solvers.cpp.
+struct SolverType {
+  std::string name, title, help;
+  std::unique_ptr<Solver> (*make)(const Problem& problem);
+};
+const std::vector<SolverType>& solverTypes();
+const SolverType* findSolverType(const std::string& name);
+
+}  // namespace goniolux::solver

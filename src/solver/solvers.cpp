@@ -1,0 +1,23 @@
+#include <algorithm>
+
+#include "solver/path_solver.h"
+#include "solver/solver.h"
+
+namespace goniolux::solver {
+
+const std::vector<SolverType>& solverTypes() {
+  static const std::vector<SolverType> types = {
+      {"path", "Unbiased spectral path tracing",
+       "closed-form direct light, next-event estimation, planar mirrors by images; no bias, only noise",
+       makePathSolver},
+  };
+  return types;
+}
+
+const SolverType* findSolverType(const std::string& name) {
+  const auto& types = solverTypes();
+  const auto found = std::find_if(types.begin(), types.end(), [&](const SolverType& t) { return t.name == name; });
+  return found == types.end() ? nullptr : &*found;
+}
+
+}  // namespace goniolux::solver
