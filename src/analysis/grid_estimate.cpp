@@ -17,8 +17,8 @@ namespace goniolux::analysis {
 namespace {
 
 constexpr std::uint32_t pilotSamples = 8;
-constexpr std::uint32_t mostSamples = 1u << 20;   // per replicate and point
-constexpr double largestGrowth = 8;               // of a point's samples from one round to the next
+constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
+constexpr double largestGrowth = 8;              // of a point's samples from one round to the next
 constexpr int mostRounds = 12;
 constexpr double shareAsked = 0.95;
 
@@ -43,8 +43,8 @@ class GridRun {
         plans_(receivers.size()),
         samples_(receivers.size(), pilotSamples),
         replicates_(replicateCount, std::vector<double>(receivers.size())) {
-    // A point's own half-width scatters (chi with 15 degrees of freedom); so that 95 % of them end within what was asked, the
-    // expected one must stay below it by this factor.
+    // A point's own half-width scatters (chi with 15 degrees of freedom); so that 95 % of them end within what was
+    // asked, the expected one must stay below it by this factor.
     margin_ = std::sqrt(chiSquared95 / (replicateCount - 1));
   }
 
@@ -62,7 +62,8 @@ class GridRun {
       for (std::size_t j = begin; j < end && !progress.cancelled(); ++j) {
         const std::size_t i = points[j];
         for (std::uint64_t r = 0; r < replicateCount; ++r)
-          fresh[r][j] = solver_.illuminance(receivers_[i], *plans_[i], core::combine(pointKey(i, round_), r), samples_[i])[1];
+          fresh[r][j] =
+              solver_.illuminance(receivers_[i], *plans_[i], core::combine(pointKey(i, round_), r), samples_[i])[1];
       }
     });
     if (progress.cancelled()) return false;
@@ -143,10 +144,14 @@ class GridRun {
   [[nodiscard]] std::uint64_t pointKey(std::size_t point, std::uint64_t round) const {
     return core::combine(core::combine(key_, point), round);
   }
-  [[nodiscard]] static double halfWidth(const GridEstimate& e, std::size_t i) { return e.statistical[i] + e.quadrature[i]; }
-  /// The half-width allowed for a value: the asked share of it, or of a tenth of the grid's mean where it is below that.
+  [[nodiscard]] static double halfWidth(const GridEstimate& e, std::size_t i) {
+    return e.statistical[i] + e.quadrature[i];
+  }
+  /// The half-width allowed for a value: the asked share of it, or of a tenth of the grid's mean where it is below
+  /// that.
   [[nodiscard]] double allowed(const GridEstimate& e, double value) const {
-    return std::max(accuracy_.relative * std::max(std::abs(value), 0.1 * std::abs(e.mean.value)), accuracy_.absoluteFloor);
+    return std::max(accuracy_.relative * std::max(std::abs(value), 0.1 * std::abs(e.mean.value)),
+                    accuracy_.absoluteFloor);
   }
   /// What of it is left for noise at a point.
   [[nodiscard]] double roomFor(const GridEstimate& e, std::size_t i) const {
@@ -167,9 +172,9 @@ class GridRun {
 
 }  // namespace
 
-GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers, std::uint64_t key,
-                          const GridAccuracy& accuracy, const EffortLimit& limit, core::ProgressSink& progress,
-                          const std::string& task) {
+GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
+                          std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
+                          core::ProgressSink& progress, const std::string& task) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -185,12 +190,14 @@ GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver
     // The pilot is never the answer: it decides, fresh samples estimate.
     if (round > 1 && estimate.reached) break;
     points = round == 1 || !run.pointsReached(estimate) ? run.refine(estimate) : run.refineMinimum(estimate);
-    progress.progress(task, std::min(0.95, estimate.shareWithin * 0.9),
-                      fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
+    progress.progress(
+        task, std::min(0.95, estimate.shareWithin * 0.9),
+        fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
     if (!run.round(points, progress)) break;
     estimate = run.estimate();
   }
-  progress.progress(task, 1, fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
+  progress.progress(task, 1,
+                    fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
   return estimate;
 }
 
@@ -207,8 +214,9 @@ void summarise(const Replicates& replicates, const std::vector<double>& bias, do
   const double meanBias = std::accumulate(bias.begin(), bias.end(), 0.0) / count;
   e.mean = {mean.mean, quantile * mean.standardError, {{"source_subdivision", meanBias}}};
 
-  // The minimum of noisy values is low by itself. Its interval: from the lowest lower end to the lowest upper end of intervals that
-  // hold together for all points that may be the minimum (Sidak). The maximum is the minimum of the negative.
+  // The minimum of noisy values is low by itself. Its interval: from the lowest lower end to the lowest upper end of
+  // intervals that hold together for all points that may be the minimum (Sidak). The maximum is the minimum of the
+  // negative.
   const auto extreme = [&](double sign) {
     double upper = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points; ++i) upper = std::min(upper, sign * e.values[i] + e.statistical[i]);
@@ -230,9 +238,10 @@ void summarise(const Replicates& replicates, const std::vector<double>& bias, do
     if (b.value == 0) return core::Estimate{};
     const double value = a.value / b.value;
     const auto relative = [](double part, double of) { return of != 0 ? part / std::abs(of) : 0.0; };
-    core::Estimate r{value, std::abs(value) * (relative(a.statistical, a.value) + relative(b.statistical, b.value)), {}};
-    r.systematic["source_subdivision"] =
-        std::abs(value) * (relative(a.halfWidth() - a.statistical, a.value) + relative(b.halfWidth() - b.statistical, b.value));
+    core::Estimate r{
+        value, std::abs(value) * (relative(a.statistical, a.value) + relative(b.statistical, b.value)), {}};
+    r.systematic["source_subdivision"] = std::abs(value) * (relative(a.halfWidth() - a.statistical, a.value) +
+                                                            relative(b.halfWidth() - b.statistical, b.value));
     return r;
   };
   e.u0 = ratio(e.minimum, e.mean);

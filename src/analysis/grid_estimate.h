@@ -1,10 +1,10 @@
-// Grid estimates: illuminance at every point of a grid with a half-width that holds, by work that grows until the asked accuracy is
-// met.
+// Grid estimates: illuminance at every point of a grid with a half-width that holds, by work that grows until the asked
+// accuracy is met.
 //
-// Method (docs/methods/intervals.md): 16 independent replicates per point and Student's t. A pilot round measures the spread and
-// sets the number of samples per point; a round of fresh replicates estimates; its spread may ask for a further round of fresh
-// replicates with more samples, never for a lucky stop in the middle of one. Decisions fall at round ends only, from all points
-// together, so results do not depend on threads or on the clock.
+// Method (docs/methods/intervals.md): 16 independent replicates per point and Student's t. A pilot round measures the
+// spread and sets the number of samples per point; a round of fresh replicates estimates; its spread may ask for a
+// further round of fresh replicates with more samples, never for a lucky stop in the middle of one. Decisions fall at
+// round ends only, from all points together, so results do not depend on threads or on the clock.
 #pragma once
 
 #include <cstddef>
@@ -21,32 +21,34 @@ inline constexpr int replicateCount = 16;
 
 /// The accuracy asked for, relative (0.01 = 1 %).
 struct GridAccuracy {
-  double relative = 0.02;      ///< of the mean, the minimum and 95 % of the points
-  double uniformity = 0.03;    ///< of U0
+  double relative = 0.02;    ///< of the mean, the minimum and 95 % of the points
+  double uniformity = 0.03;  ///< of U0
   double confidence = 0.95;
-  double absoluteFloor = 0.01; ///< lx
+  double absoluteFloor = 0.01;  ///< lx
 };
 
 struct EffortLimit {
-  double secondsLeft = 1e30;   ///< wall clock; checked at round ends, so that a finished round is never lost
+  double secondsLeft = 1e30;  ///< wall clock; checked at round ends, so that a finished round is never lost
 };
 
 /// One quantity per receiver; order as given.
 struct GridEstimate {
   std::vector<double> values, statistical, quadrature;  ///< lx; `quadrature`: bound of the source-subdivision error
   core::Estimate mean, minimum, maximum, u0, ud;
-  double shareWithin = 0;      ///< share of the points whose half-width is within the accuracy asked for
+  double shareWithin = 0;  ///< share of the points whose half-width is within the accuracy asked for
   bool reached = false;
-  std::uint64_t samples = 0;   ///< light paths used by the estimate
+  std::uint64_t samples = 0;  ///< light paths used by the estimate
 };
 
-/// Estimates the illuminance at all receivers (world frame). `key` makes the run's random numbers; receivers must not be empty.
-GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers, std::uint64_t key,
-                          const GridAccuracy& accuracy, const EffortLimit& limit, core::ProgressSink& progress,
-                          const std::string& task);
+/// Estimates the illuminance at all receivers (world frame). `key` makes the run's random numbers; receivers must not
+/// be empty.
+GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
+                          std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
+                          core::ProgressSink& progress, const std::string& task);
 
-/// Mean, minimum, maximum and uniformities of noisy values; `replicates[r][i]` is replicate r of point i, `bias[i]` a bound of the
-/// deterministic error. The extremes are order statistics of noisy values: their intervals hold for all candidates together.
+/// Mean, minimum, maximum and uniformities of noisy values; `replicates[r][i]` is replicate r of point i, `bias[i]` a
+/// bound of the deterministic error. The extremes are order statistics of noisy values: their intervals hold for all
+/// candidates together.
 void summarise(const std::vector<std::vector<double>>& replicates, const std::vector<double>& bias, double confidence,
                GridEstimate& estimate);
 

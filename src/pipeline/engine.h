@@ -1,0 +1,38 @@
+// Engine: a project made ready to calculate: its world, tracer, plan and solver. The stages that calculate share it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "pipeline/stage.h"
+#include "planner/plan.h"
+#include "project/project.h"
+#include "scene/world.h"
+#include "solver/solver.h"
+#include "tracer/tracer.h"
+
+namespace goniolux::pipeline {
+
+/// Which accuracy `--accuracy` sets.
+enum class AccuracyOf { grids, images, both };
+
+/// The project named by the request with the command line's overrides applied. Throws core::InputError.
+project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy);
+/// Where the results go: -o, else "results" in the project's folder.
+std::string resultsFolder(const StageRequest& request, const project::Project& project);
+
+struct Engine {
+  Engine(const project::Project& project, bool forColour);
+
+  scene::World world;
+  tracer::Tracer tracer;
+  planner::Plan plan;
+  std::unique_ptr<solver::Solver> solver;
+};
+
+/// What was left out, as sentences for the results.
+std::vector<std::string> leftOutSentences(const Engine& engine);
+/// The version of this program.
+std::string programVersion();
+
+}  // namespace goniolux::pipeline

@@ -1,0 +1,237 @@
+#include "pipeline/illuminate.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "analysis/grid_estimate.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "geometry/inside.h"
+#include "pipeline/outline.h"
+#include "pipeline/requirements.h"
+#include "pipeline/result_files.h"
+#include "pipeline/stages.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+using core::Vec3;
+
+std::vector<geometry::InsideTest> solidsOf(const project::Project& project) {
+  std::vector<geometry::InsideTest> solids;
+  for (const scene::Object& object : project.environment.objects)
+    if (object.shape.closed && !object.facesInward) solids.emplace_back(object.shape, object.transform);
+  return solids;
+}
+
+std::uint64_t keyOf(std::uint64_t seed, const std::string& name) {
+  std::uint64_t key = core::mix(seed);
+  for (const char c : name) key = core::combine(key, static_cast<unsigned char>(c));
+  return key;
+}
+
+// With one maintenance factor throughout, initial values are the maintained ones over it.
+std::optional<double> commonMaintenance(const project::Project& project) {
+  std::optional<double> factor;
+  for (const scene::Luminaire& luminaire : project.environment.luminaires) {
+    if (factor && *factor != luminaire.maintenance) return std::nullopt;
+    factor = luminaire.maintenance;
+  }
+  return factor;
+}
+
+core::Estimate scaled(core::Estimate e, double factor) {
+  e.value *= factor;
+  e.statistical *= factor;
+  for (auto& [cause, bound] : e.systematic) bound *= factor;
+  return e;
+}
+
+class GridStage {
+ public:
+  GridStage(const project::Project& project, const Engine& engine, core::ProgressSink& progress)
+      : project_(project), engine_(engine), progress_(progress), solids_(solidsOf(project)) {}
+
+  project::GridResult calculate(const analysis::Grid& grid, double secondsLeft, bool& reached,
+                                std::string& reachedText) {
+    project::GridResult result;
+    result.name = grid.name;
+    result.quantity = grid.quantity;
+    result.counts = grid.counts;
+    if (grid.counts) result.plane = project::GridPlane{grid.origin, grid.u, grid.v};
+    result.points = grid.points;
+
+    std::vector<solver::Receiver> receivers;
+    std::vector<std::size_t> index;
+    for (std::size_t i = 0; i < grid.points.size(); ++i) {
+      if (insideSolid(grid.points[i])) {
+        result.excluded.push_back(i);
+        continue;
+      }
+      receivers.push_back({grid.points[i] - engine_.world.origin, grid.normals[i]});
+      index.push_back(i);
+    }
+    if (receivers.empty())
+      throw core::InputError(
+          grid.position, "grid-without-points",
+          fmt::format("grid \"{}\" has no free point: all {} lie inside solid objects; move the grid", grid.name,
+                      grid.points.size()));
+
+    const auto& asked = project_.settings.accuracy;
+    const analysis::GridEstimate e =
+        analysis::estimateGrid(*engine_.solver, receivers, keyOf(project_.settings.seed, grid.name),
+                               {asked.grid, asked.u0, asked.confidence, 0.01}, {secondsLeft}, progress_, grid.name);
+    fill(result, e, index);
+    if (!e.reached) {
+      reached = false;
+      reachedText += fmt::format("{}{}: {:.0f} % of the points within {:g} %, mean within {:.2g} %",
+                                 reachedText.empty() ? "" : "; ", grid.name, 100 * e.shareWithin, 100 * asked.grid,
+                                 e.mean.value > 0 ? 100 * e.mean.halfWidth() / e.mean.value : 0.0);
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] bool insideSolid(const Vec3& point) const {
+    for (const auto& solid : solids_)
+      if (solid.contains(point)) return true;
+    return false;
+  }
+
+  void fill(project::GridResult& result, const analysis::GridEstimate& e, const std::vector<std::size_t>& index) const {
+    const std::size_t n = result.points.size();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double spectral = engine_.plan.spectralBound;
+    result.values.assign(n, nan);
+    result.halfWidths.assign(n, nan);
+    for (const char* part : {"statistical", "source_subdivision", "spectral"}) result.parts[part].assign(n, nan);
+    for (std::size_t j = 0; j < index.size(); ++j) {
+      const std::size_t i = index[j];
+      result.values[i] = e.values[j];
+      result.parts["statistical"][i] = e.statistical[j];
+      result.parts["source_subdivision"][i] = e.quadrature[j];
+      result.parts["spectral"][i] = spectral * e.values[j];
+      result.halfWidths[i] = e.statistical[j] + e.quadrature[j] + spectral * e.values[j];
+    }
+    const auto withSpectral = [&](core::Estimate estimate) {
+      estimate.systematic["spectral"] = spectral * std::abs(estimate.value);
+      return estimate;
+    };
+    result.mean = withSpectral(e.mean);
+    result.min = withSpectral(e.minimum);
+    result.max = withSpectral(e.maximum);
+    result.u0 = e.u0;
+    result.ud = e.ud;
+    if (const auto maintenance = commonMaintenance(project_); maintenance && *maintenance > 0 && *maintenance != 1) {
+      for (const double value : result.values) result.initialValues.push_back(value / *maintenance);
+      result.initialMean = scaled(result.mean, 1 / *maintenance);
+    }
+  }
+
+  const project::Project& project_;
+  const Engine& engine_;
+  core::ProgressSink& progress_;
+  std::vector<geometry::InsideTest> solids_;
+};
+
+StageReport illuminate(const StageRequest& request, core::ProgressSink& progress) {
+  const project::Project project = readProjectFor(request, AccuracyOf::grids);
+  const Engine engine(project, false);
+  const project::Results results = calculateGrids(project, engine, progress);
+  StageReport report;
+  report.files = writeResults(project, results, resultsFolder(request, project));
+  report.json = project::toJson(results);
+  report.text = resultsText(results);
+  report.warnings = project.warnings;
+  report.verdictFailed = anyFailed(results);
+  report.unfinished = progress.cancelled();
+  return report;
+}
+
+}  // namespace
+
+project::Results calculateGrids(const project::Project& project, const Engine& engine, core::ProgressSink& progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const double cpuAtStart = core::processCpuSeconds();
+  const std::uint64_t raysAtStart = engine.solver->rays();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  project::Results results;
+  results.project = project.name;
+  results.projectHash = project.hash;
+  results.programVersion = programVersion();
+  results.confidence = project.settings.accuracy.confidence;
+  results.seed = project.settings.seed;
+  results.settingsUsed = planner::toJson(engine.plan, project);
+  results.leftOut = leftOutSentences(engine);
+
+  GridStage stage(project, engine, progress);
+  std::size_t left = project.grids.size();
+  for (const analysis::Grid& grid : project.grids) {
+    // What is left of the time limit is shared by the grids that are left.
+    const double limit = project.settings.timeLimit_s
+                             ? std::max(0.0, *project.settings.timeLimit_s - elapsed()) / static_cast<double>(left)
+                             : std::numeric_limits<double>::infinity();
+    results.grids.push_back(stage.calculate(grid, limit, results.reached, results.reachedText));
+    --left;
+  }
+  results.requirements = judge(project, results);
+  results.wallTime_s = elapsed();
+  results.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
+  results.rays = engine.solver->rays() - raysAtStart;
+  return results;
+}
+
+std::vector<std::string> writeResults(const project::Project& project, const project::Results& results,
+                                      const std::string& folder) {
+  return writeResultFiles(folder, results, outlineOf(project));
+}
+
+std::string resultsText(const project::Results& results) {
+  std::string text = results.project + "\n";
+  for (const project::GridResult& grid : results.grids) {
+    const auto line = [&](const char* label, const core::Estimate& e, const std::string& unit) {
+      text += fmt::format("    {:<8}{:>10.4g} ± {:.2g}{}{}\n", label, e.value, e.halfWidth(), unit.empty() ? "" : " ",
+                          unit);
+    };
+    text += fmt::format("  {} ({}, {} points{})\n", grid.name, grid.quantity, grid.points.size() - grid.excluded.size(),
+                        grid.excluded.empty() ? "" : fmt::format(", {} inside objects left out", grid.excluded.size()));
+    line("mean", grid.mean, grid.unit);
+    line("minimum", grid.min, grid.unit);
+    line("maximum", grid.max, grid.unit);
+    line("U0", grid.u0, "");
+    line("Ud", grid.ud, "");
+  }
+  for (const project::RequirementResult& requirement : results.requirements) {
+    using Verdict = project::RequirementResult::Verdict;
+    const char* verdict = requirement.verdict == Verdict::pass   ? "pass"
+                          : requirement.verdict == Verdict::fail ? "FAIL"
+                                                                 : "undecided";
+    text += fmt::format("  requirement {}: {}\n", requirement.text, verdict);
+  }
+  if (!results.reached) text += fmt::format("  the asked accuracy was not reached: {}\n", results.reachedText);
+  for (const std::string& sentence : results.leftOut) text += fmt::format("  left out: {}\n", sentence);
+  text += fmt::format("  intervals at {:g} % confidence; {:.2f} s ({:.2f} s CPU), {:.2f} million rays\n",
+                      100 * results.confidence, results.wallTime_s, results.cpuTime_s,
+                      1e-6 * static_cast<double>(results.rays));
+  return text;
+}
+
+Stage illuminateStage() {
+  Stage stage;
+  stage.name = "illuminate";
+  stage.title = "Calculate the grids of a project";
+  stage.help =
+      "Illuminance at every grid point with its half-width, to the accuracy asked for. Writes grids.json, and a CSV "
+      "and a "
+      ".vtp file per grid.";
+  stage.inputName = "PROJECT";
+  stage.run = illuminate;
+  return stage;
+}
+
+}  // namespace goniolux::pipeline

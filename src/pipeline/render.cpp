@@ -1,0 +1,156 @@
+#include "pipeline/render.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <limits>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "image/xyz_image.h"
+#include "pipeline/stages.h"
+#include "project/results.h"
+#include "viewing/pixel_loop.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const scene::View& findView(const project::Project& project, const std::string& name) {
+  std::vector<std::string> names;
+  for (const scene::View& view : project.views) {
+    if (view.name == name) return view;
+    names.push_back(view.name);
+  }
+  throw core::InputError(
+      {project.file, 0, 0}, "unknown-view",
+      names.empty() ? fmt::format("the project has no views; add one to \"views\"")
+                    : fmt::format("there is no view \"{}\"; the project has: {}", name, fmt::join(names, ", ")));
+}
+
+StageReport render(const StageRequest& request, core::ProgressSink& progress) {
+  const project::Project project = readProjectFor(request, AccuracyOf::images);
+  const auto asked = request.options.find("view");
+  std::vector<const scene::View*> views;
+  if (asked != request.options.end()) {
+    views.push_back(&findView(project, asked->second));
+  } else {
+    for (const scene::View& view : project.views) views.push_back(&view);
+  }
+  if (views.empty())
+    throw core::InputError({project.file, 0, 0}, "no-view", "the project has no views to render; add one to \"views\"");
+
+  const Engine engine(project, true);
+  const std::string folder = resultsFolder(request, project);
+  StageReport report;
+  report.warnings = project.warnings;
+  core::Value list;
+  const double limit = project.settings.timeLimit_s.value_or(std::numeric_limits<double>::infinity());
+  for (const scene::View* view : views) {
+    const RenderedView done =
+        renderToFile(project, engine, *view, folder, limit / static_cast<double>(views.size()), progress);
+    report.files.push_back(done.file);
+    report.text += renderText(done, project);
+    if (views.size() == 1) report.json = toJson(done, engine);
+    list.push(toJson(done, engine));
+    if (progress.cancelled()) break;
+  }
+  if (views.size() > 1) report.json.set("views", std::move(list));
+  report.unfinished = progress.cancelled();
+  return report;
+}
+
+}  // namespace
+
+RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
+                          const std::string& folder, double secondsLeft, core::ProgressSink& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const double cpuAtStart = core::processCpuSeconds();
+  const std::uint64_t raysAtStart = engine.solver->rays();
+  const auto& settings = project.settings;
+
+  std::uint64_t key = core::mix(settings.seed + 0x1a6e);
+  for (const char c : view.name) key = core::combine(key, static_cast<unsigned char>(c));
+  viewing::ImageEstimate estimate = viewing::renderView(
+      *engine.solver, view, engine.world.origin, key,
+      {settings.accuracy.image, settings.accuracy.confidence, 0.01, settings.pixelMaxSamples}, secondsLeft, progress);
+
+  auto& attributes = estimate.image.attributes;
+  attributes["program"] = "Goniolux " + programVersion();
+  attributes["project"] = project.name;
+  attributes["projectHash"] = project.hash;
+  attributes["view"] = view.name;
+  attributes["seed"] = std::to_string(settings.seed);
+  attributes["solver"] = engine.plan.solver;
+  attributes["spectralSampling"] = engine.plan.quadrature.scheme;
+  attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
+                                            100 * settings.accuracy.image, 100 * settings.accuracy.confidence);
+  attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);
+
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw core::RunError(fmt::format("cannot make the folder {}: {}", folder, failure.message()));
+  RenderedView done;
+  done.name = view.name;
+  done.file = (fs::path(folder) / (project::fileNameFor(view.name) + ".exr")).string();
+  image::writeExr(done.file, estimate.image);
+  done.reached = estimate.reached;
+  done.shareWithin = estimate.shareWithin;
+  done.samples = estimate.samples;
+  done.width = view.width;
+  done.height = view.height;
+  done.wallTime_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  done.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
+  done.rays = engine.solver->rays() - raysAtStart;
+  return done;
+}
+
+core::Value toJson(const RenderedView& view, const Engine& engine) {
+  core::Value json;
+  json.set("view", view.name);
+  json.set("file", view.file);
+  json.set("reached", view.reached);
+  json.set("pixels_within", view.shareWithin);
+  core::Value time;
+  time.set("wall", view.wallTime_s);
+  time.set("cpu", view.cpuTime_s);
+  json.set("time_s", std::move(time));
+  json.set("rays", view.rays);
+  json.set("samples_per_pixel", static_cast<double>(view.samples) / (view.width * view.height));
+  json.set("spectral_samples", static_cast<double>(engine.plan.quadrature.wavelengths.size()));
+  core::Value::Array leftOut;
+  for (const std::string& sentence : leftOutSentences(engine)) leftOut.emplace_back(sentence);
+  json.set("left_out", std::move(leftOut));
+  return json;
+}
+
+std::string renderText(const RenderedView& view, const project::Project& project) {
+  return fmt::format(
+      "  view {}: {} x {} pixels, {:.0f} samples each, {:.1f} % of them within {:g} %{}; {:.1f} s ({:.1f} s CPU)\n    "
+      "{}\n",
+      view.name, view.width, view.height, static_cast<double>(view.samples) / (view.width * view.height),
+      100 * view.shareWithin, 100 * project.settings.accuracy.image,
+      view.reached ? "" : " (asked: 95 %; the limit of samples or time came first)", view.wallTime_s, view.cpuTime_s,
+      view.file);
+}
+
+Stage renderStage() {
+  Stage stage;
+  stage.name = "render";
+  stage.title = "Render the views of a project";
+  stage.help =
+      "A photometrically calibrated image: OpenEXR with CIE X, Y, Z per pixel, Y in cd/m2, and its half-width.";
+  stage.inputName = "PROJECT";
+  core::Parameter view;
+  view.key = "view";
+  view.title = "NAME";
+  view.kind = core::ParameterKind::text;
+  view.help = "the view to render; without it all views";
+  stage.options = {view};
+  stage.run = render;
+  return stage;
+}
+
+}  // namespace goniolux::pipeline

@@ -1,0 +1,23 @@
+// Render: a view of a project to an XYZ image in cd/m2 (the paper's fourth step, the intensity function at the image
+// plane).
+#pragma once
+
+#include "pipeline/engine.h"
+
+namespace goniolux::pipeline {
+
+struct RenderedView {
+  std::string name, file;
+  bool reached = false;
+  double shareWithin = 0, wallTime_s = 0, cpuTime_s = 0;
+  std::uint64_t rays = 0, samples = 0;
+  int width = 0, height = 0;
+};
+
+/// Renders one view and writes NAME.exr into the folder.
+RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
+                          const std::string& folder, double secondsLeft, core::ProgressSink& progress);
+core::Value toJson(const RenderedView& view, const Engine& engine);
+std::string renderText(const RenderedView& view, const project::Project& project);
+
+}  // namespace goniolux::pipeline

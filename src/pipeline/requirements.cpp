@@ -1,0 +1,60 @@
+#include "pipeline/requirements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace goniolux::pipeline {
+namespace {
+
+using Verdict = project::RequirementResult::Verdict;
+
+std::optional<core::Estimate> quantityOf(const project::Results& results, const analysis::Requirement& requirement,
+                                         const std::string& key) {
+  for (const auto& grid : results.grids) {
+    if (grid.name != requirement.grid) continue;
+    if (key == "mean_lx") return grid.mean;
+    if (key == "min_lx") return grid.min;
+    if (key == "max_lx") return grid.max;
+    if (key == "u0") return grid.u0;
+    if (key == "ud") return grid.ud;
+  }
+  for (const auto& observer : results.observers)
+    if (observer.name == requirement.observer && observer.quantity == key) return observer.value;
+  return std::nullopt;
+}
+
+Verdict verdictOf(const core::Estimate& e, const analysis::Limit& limit) {
+  const double low = e.value - e.halfWidth(), high = e.value + e.halfWidth();
+  if ((limit.minimum && high < *limit.minimum) || (limit.maximum && low > *limit.maximum)) return Verdict::fail;
+  if ((limit.minimum && low < *limit.minimum) || (limit.maximum && high > *limit.maximum)) return Verdict::undecided;
+  return Verdict::pass;
+}
+
+std::string limitText(const std::string& what, const analysis::Limit& limit, const core::Estimate& e) {
+  std::string text = fmt::format("{} {}", what, limit.key);
+  if (limit.minimum) text += fmt::format(" >= {:g}", *limit.minimum);
+  if (limit.maximum) text += fmt::format(" <= {:g}", *limit.maximum);
+  return text + fmt::format(" (is {:.4g} ± {:.2g})", e.value, e.halfWidth());
+}
+
+}  // namespace
+
+std::vector<project::RequirementResult> judge(const project::Project& project, const project::Results& results) {
+  std::vector<project::RequirementResult> verdicts;
+  for (const analysis::Requirement& requirement : project.requirements) {
+    const std::string& what = requirement.grid.empty() ? requirement.observer : requirement.grid;
+    for (const analysis::Limit& limit : requirement.limits)
+      if (const auto e = quantityOf(results, requirement, limit.key))
+        verdicts.push_back({limitText(what, limit, *e), verdictOf(*e, limit)});
+  }
+  return verdicts;
+}
+
+bool anyFailed(const project::Results& results) {
+  return std::any_of(results.requirements.begin(), results.requirements.end(),
+                     [](const auto& r) { return r.verdict == Verdict::fail; });
+}
+
+}  // namespace goniolux::pipeline

@@ -1,0 +1,185 @@
+#include "viewing/pixel_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "core/statistics.h"
+
+namespace goniolux::viewing {
+namespace {
+
+constexpr std::size_t replicates = 16;
+constexpr double shareAsked = 0.95;
+constexpr int tile = 16;
+
+class PixelLoop {
+ public:
+  PixelLoop(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin, std::uint64_t key,
+            const PixelAccuracy& accuracy)
+      : solver_(solver),
+        view_(view),
+        worldOrigin_(worldOrigin),
+        key_(key),
+        accuracy_(accuracy),
+        quantile_(core::studentQuantile(replicates - 1, accuracy.confidence)),
+        count_(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)),
+        luminance_(count_),
+        colour_(count_),
+        done_(count_, 0),
+        wanted_(count_, 1) {}
+
+  /// Takes every pixel to the samples per replicate that it should have. False when cancelled in the middle.
+  bool pass(core::ProgressSink& progress) {
+    const int across = (view_.width + tile - 1) / tile, down = (view_.height + tile - 1) / tile;
+    core::parallelFor(static_cast<std::size_t>(across * down), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end && !progress.cancelled(); ++t) {
+        const int x0 = static_cast<int>(t) % across * tile, y0 = static_cast<int>(t) / across * tile;
+        for (int y = y0; y < std::min(y0 + tile, view_.height); ++y)
+          for (int x = x0; x < std::min(x0 + tile, view_.width); ++x) samplePixel(x, y);
+      }
+    });
+    return !progress.cancelled();
+  }
+
+  /// Doubles the samples of the pixels that are not known well enough; false when there are none or all are at the
+  /// limit.
+  bool refine() {
+    const double mean = meanLuminance();
+    const auto most = static_cast<std::uint32_t>(std::max(1, accuracy_.mostSamples / static_cast<int>(replicates)));
+    bool more = false;
+    std::vector<float> variance(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double h = halfWidth(i);
+      variance[i] = static_cast<float>(h * h);
+    }
+    for (int y = 0; y < view_.height; ++y)
+      for (int x = 0; x < view_.width; ++x) {
+        const std::size_t i = index(x, y);
+        if (done_[i] >= most) continue;
+        double sum = 0, pixels = 0;
+        for (int v = std::max(0, y - 1); v <= std::min(view_.height - 1, y + 1); ++v)
+          for (int u = std::max(0, x - 1); u <= std::min(view_.width - 1, x + 1); ++u, ++pixels)
+            sum += variance[index(u, v)];
+        const double allowedHere = allowed(value(i), mean);
+        if (sum / pixels <= allowedHere * allowedHere / 1.2) continue;
+        wanted_[i] = std::min(most, 2 * done_[i]);
+        more = true;
+      }
+    return more;
+  }
+
+  [[nodiscard]] double shareWithin() const {
+    const double mean = meanLuminance();
+    std::size_t within = 0;
+    for (std::size_t i = 0; i < count_; ++i) within += halfWidth(i) <= allowed(value(i), mean);
+    return static_cast<double>(within) / static_cast<double>(count_);
+  }
+
+  [[nodiscard]] ImageEstimate result() const {
+    ImageEstimate e;
+    image::XyzImage& image = e.image;
+    image.width = view_.width;
+    image.height = view_.height;
+    image.x.resize(count_), image.y.resize(count_), image.z.resize(count_), image.halfWidth.resize(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double n = static_cast<double>(done_[i]) * static_cast<double>(replicates);
+      image.x[i] = static_cast<float>(colour_[i].x / n);
+      image.y[i] = static_cast<float>(value(i));
+      image.z[i] = static_cast<float>(colour_[i].z / n);
+      image.halfWidth[i] = static_cast<float>(halfWidth(i));
+      e.samples += static_cast<std::uint64_t>(done_[i]) * replicates;
+    }
+    e.shareWithin = shareWithin();
+    e.reached = e.shareWithin >= shareAsked;
+    return e;
+  }
+
+ private:
+  struct XZ {
+    float x = 0, z = 0;
+  };
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
+  }
+
+  void samplePixel(int x, int y) {
+    const std::size_t i = index(x, y);
+    const std::uint64_t pixelKey = core::combine(key_, i);
+    for (std::size_t r = 0; r < replicates; ++r)
+      for (std::uint32_t s = done_[i]; s < wanted_[i]; ++s) {
+        core::Sampler random(core::combine(pixelKey, r), s);
+        const core::Vec2 place = random.next2();
+        const scene::ViewRay ray = scene::rayThrough(view_, x + place.x, y + place.y);
+        if (!ray.inside) continue;
+        const solver::Response seen = solver_.radiance(ray.origin - worldOrigin_, ray.direction, random);
+        colour_[i].x += static_cast<float>(seen[0]);
+        luminance_[i][r] += static_cast<float>(seen[1]);
+        colour_[i].z += static_cast<float>(seen[2]);
+      }
+    done_[i] = wanted_[i];
+  }
+
+  [[nodiscard]] double value(std::size_t i) const {
+    double sum = 0;
+    for (const float replicate : luminance_[i]) sum += static_cast<double>(replicate);
+    return sum / (static_cast<double>(replicates) * done_[i]);
+  }
+  [[nodiscard]] double halfWidth(std::size_t i) const {
+    std::array<double, replicates> means{};
+    for (std::size_t r = 0; r < replicates; ++r) means[r] = static_cast<double>(luminance_[i][r]) / done_[i];
+    return quantile_ * core::replicateMean(means).standardError;
+  }
+  [[nodiscard]] double meanLuminance() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) sum += value(i);
+    return sum / static_cast<double>(count_);
+  }
+  [[nodiscard]] double allowed(double luminance, double mean) const {
+    return std::max(accuracy_.relative * std::max(luminance, 0.1 * mean), accuracy_.absoluteFloor);
+  }
+
+  const solver::Solver& solver_;
+  const scene::View& view_;
+  core::Vec3 worldOrigin_;
+  std::uint64_t key_;
+  PixelAccuracy accuracy_;
+  double quantile_;
+  std::size_t count_;
+  std::vector<std::array<float, replicates>> luminance_;  // sums per replicate
+  std::vector<XZ> colour_;                                // sums over all replicates
+  std::vector<std::uint32_t> done_, wanted_;              // samples per replicate
+};
+
+}  // namespace
+
+ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin,
+                         std::uint64_t key, const PixelAccuracy& accuracy, double secondsLeft,
+                         core::ProgressSink& progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  PixelLoop loop(solver, view, worldOrigin, key, accuracy);
+  progress.progress(view.name, 0, "first samples");
+  bool more = loop.pass(progress);
+  while (more && elapsed() < secondsLeft) {
+    const double share = loop.shareWithin();
+    progress.progress(view.name, std::min(0.95, share),
+                      fmt::format("pixels within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * share));
+    if (share >= shareAsked || !loop.refine()) break;
+    more = loop.pass(progress);
+  }
+  ImageEstimate estimate = loop.result();
+  progress.progress(view.name, 1,
+                    fmt::format("pixels within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
+  return estimate;
+}
+
+}  // namespace goniolux::viewing
