@@ -5,11 +5,15 @@ namespace goniolux::pipeline {
 const std::vector<Stage>& stages() {
   static const std::vector<Stage> list = {
       // the main job
+      runStage(),
 
       // from the project to its light
       checkStage(),
+      planStage(),
+      illuminateStage(),
 
       // from light to pictures
+      renderStage(),
       displayStage(),
       plotStage(),
 
