@@ -100,7 +100,7 @@ void setWords(const Results& results, const GridResult& grid, const Paper& paper
   fact("mean", grid.mean, grid.unit);
   fact("min", grid.min, grid.unit);
   fact("max", grid.max, grid.unit);
-  fact("U₀ =", grid.u0, "");
+  fact("U₀", grid.u0, "");
   if (!results.reached) map.facts.emplace_back("accuracy asked for not reached");
 
   map.footer =
@@ -168,7 +168,8 @@ plot::PlanMap planMapOf(const Results& results, const GridResult& grid, const Ou
   map.banded = options.banded;
   for (const Vec3& point : grid.points) map.points.push_back(paper.onPaper(point));
   map.values = grid.values;
-  if (plane) {
+  // A single row of points is no area: it is drawn as dots.
+  if (plane && (*grid.counts)[0] > 1 && (*grid.counts)[1] > 1) {
     const Vec2 origin = paper.onPaper(plane->origin);
     map.grid = plot::MapGrid{origin, paper.onPaper(plane->origin + plane->u) - origin,
                              paper.onPaper(plane->origin + plane->v) - origin, (*grid.counts)[0], (*grid.counts)[1]};

@@ -69,7 +69,7 @@ MapLayout layoutOf(const PlanMap& map) {
                      : static_cast<int>(std::lround(std::max(plan.x * open, 700.0) + leftMargin + rightMargin));
   layout.height = map.height > 0
                       ? map.height
-                      : static_cast<int>(std::lround(std::max(plan.y * open, 420.0) + topMargin + bottomMargin));
+                      : static_cast<int>(std::lround(std::max(plan.y * open, 330.0) + topMargin + bottomMargin));
 
   const Vec2 space(std::max(layout.width - leftMargin - rightMargin, 50.0),
                    std::max(layout.height - topMargin - bottomMargin, 50.0));

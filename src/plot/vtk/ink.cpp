@@ -53,10 +53,7 @@ void apply(const TextStyle& style, vtkTextProperty* property) {
   property->SetFontSize(style.size);
   property->SetColor(style.colour[0] / 255.0, style.colour[1] / 255.0, style.colour[2] / 255.0);
   property->SetOpacity(1);
-  // VTK packs the angle into the key of its font cache, where a negative one spoils the font's bits: keep it from 0 to
-  // 360.
-  const double turn = std::fmod(style.angle / core::degree, 360.0);
-  property->SetOrientation(turn < 0 ? turn + 360 : turn);
+  property->SetOrientation(style.angle / core::degree);
   property->SetJustificationToLeft();
   property->SetVerticalJustificationToBottom();
 }

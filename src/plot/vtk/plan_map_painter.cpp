@@ -10,7 +10,7 @@ namespace {
 
 using core::Vec2;
 
-constexpr int labelSize = 15, valueSize = 12;
+constexpr int labelSize = 16, valueSize = 12;
 
 Polyline onPage(const Polyline& line, const MapLayout& layout) {
   Polyline page;
@@ -87,7 +87,7 @@ void PlanMapPainter::paintColours(Ink& ink) const {
 }
 
 void PlanMapPainter::paintIsolines(Ink& ink, LabelPlacement& labels) const {
-  const TextStyle style{labelSize, true, black, 0, TextStyle::Align::center};
+  const TextStyle style{labelSize, false, black, 0, TextStyle::Align::center};
   for (const FineMap::Isoline& isoline : isolines_) {
     const std::string text = levelText(isoline.level);
     const Vec2 size = textSize(text, style);
