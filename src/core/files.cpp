@@ -66,8 +66,10 @@ std::string readFile(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.ok()) cannotRead(path, std::strerror(errno));
   struct stat status {};
-  if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode)) cannotRead(path, "it is a folder");
+  const bool known = ::fstat(file.get(), &status) == 0;
+  if (known && S_ISDIR(status.st_mode)) cannotRead(path, "it is a folder");
   std::string bytes;
+  if (known && S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size));  // images are large
   std::array<char, 65536> buffer{};
   for (;;) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());

@@ -14,6 +14,10 @@ struct XyzImage {
   std::map<std::string, std::string> attributes;  ///< how it was made: seed, project hash, settings …
 };
 
+/// Attribute that names the white to which an observer in the scene is adapted, "x y" (CIE 1931): the light of all
+/// sources together. `display` turns it into the device's white.
+inline constexpr const char* adoptedWhiteAttribute = "adoptedWhite";
+
 /// OpenEXR with 32-bit float channels X, Y, Z (and "Y.halfWidth" where known), lossless compression, and the attributes
 /// beside the calibration ("photometricUnits": "cd/m2", "observer", "spectralRange_nm"). Throws core::RunError when it
 /// cannot be written.

@@ -22,10 +22,6 @@ namespace {
 using core::Value;
 using spectrum::Chromaticity;
 
-// EXR attribute in which `render` says what white the eye would adapt to: "x y", the chromaticity of the light of all
-// luminaires.
-constexpr const char* adoptedWhiteAttribute = "adoptedWhite";
-
 std::string optionOr(const StageRequest& request, const char* key, std::string otherwise) {
   const auto found = request.options.find(key);
   return found != request.options.end() ? found->second : std::move(otherwise);
@@ -49,7 +45,7 @@ std::optional<Chromaticity> adoptedWhite(const StageRequest& request, const imag
   const std::string adapt = optionOr(request, "adapt", "auto");
   if (adapt == "none") return std::nullopt;
   if (adapt == "auto") {
-    const auto found = image.attributes.find(adoptedWhiteAttribute);
+    const auto found = image.attributes.find(image::adoptedWhiteAttribute);
     return found != image.attributes.end() ? chromaticityFrom(found->second) : std::nullopt;
   }
   const auto white = chromaticityFrom(adapt);
@@ -168,7 +164,7 @@ core::Parameter option(std::string key, std::string title, std::string standard,
 Stage displayStage() {
   Stage stage;
   stage.name = "display";
-  stage.title = "turn a calibrated image into a picture for a device";
+  stage.title = "Turn a calibrated image into a picture for a device";
   stage.help =
       "Reads an OpenEXR image of CIE X, Y, Z in cd/m2 and writes a PNG or TIFF for a display, as the ending of -o "
       "says. Colours that "

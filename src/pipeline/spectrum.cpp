@@ -87,7 +87,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
 Stage spectrumStage() {
   Stage stage;
   stage.name = "spectrum";
-  stage.title = "colour of lamp spectra: XYZ, chromaticity, colour temperature";
+  stage.title = "Colour of lamp spectra: XYZ, chromaticity, colour temperature";
   stage.help =
       "Reads spectra (.spd, .csv, TM-27 .spdx) or takes built-in ones by name (\"CIE FL11\") and gives X, Y, Z (Y = "
       "100), x, y, u', v', "
