@@ -7,6 +7,7 @@
 #include "pipeline/stages.h"
 #include "spectrum/cie_data.h"
 #include "spectrum/colorimetry.h"
+#include "spectrum/colour_rendering.h"
 #include "spectrum/spectrum_files.h"
 
 namespace goniolux::pipeline {
@@ -15,7 +16,7 @@ namespace {
 using core::Value;
 
 // Members of the document that version 1 of the interface names and this version does not compute yet.
-constexpr const char* later[] = {"ra", "r9", "rf", "rg", "s_p"};
+constexpr const char* later[] = {"rf", "rg"};
 
 // Off the Planckian locus by more than this, a correlated colour temperature means nothing — CIE 015:2018, 9.4 (in u',
 // v').
@@ -32,7 +33,8 @@ void describe(const std::string& name, const spectrum::SpectralDistribution& sou
   const auto [x, y] = spectrum::chromaticity(colour);
   const auto [u, v] = spectrum::uvPrime(colour);
   const auto [kelvin, duv] = spectrum::colourTemperature(colour);
-  const double melanopic = spectrum::melanopicDer(source);
+  const double melanopic = spectrum::melanopicDer(source), scotopic = spectrum::scotopicPhotopicRatio(source);
+  const spectrum::ColourRendering rendering = spectrum::colourRendering(source);
   entry.set("X", colour.X);
   entry.set("Y", colour.Y);
   entry.set("Z", colour.Z);
@@ -43,15 +45,22 @@ void describe(const std::string& name, const spectrum::SpectralDistribution& sou
   const bool hasTemperature = std::abs(duv) <= farthestForTemperature;
   entry.set("cct_k", hasTemperature ? Value(kelvin) : Value());
   entry.set("duv", duv);
+  entry.set("ra", hasTemperature ? Value(rendering.ra) : Value());
+  entry.set("r9", hasTemperature ? Value(rendering.special[8]) : Value());
   entry.set("melanopic_der", melanopic);
+  entry.set("s_p", scotopic);
   Value missing;
   for (const char* key : later) missing.push(key);
   entry.set("not_supported_yet", missing);
 
   text += fmt::format("{}\n  x = {:.4f}, y = {:.4f}   u' = {:.4f}, v' = {:.4f}\n", name, x, y, u, v);
-  text += hasTemperature ? fmt::format("  CCT {:.0f} K, Duv {:+.4f}\n", kelvin, duv)
-                         : fmt::format("  no correlated colour temperature: Duv is {:+.3f}\n", duv);
-  text += fmt::format("  melanopic daylight efficacy ratio {:.3f}\n", melanopic);
+  if (hasTemperature) {
+    text += fmt::format("  CCT {:.0f} K, Duv {:+.4f}\n  Ra {:.1f}, R9 {:.0f}\n", kelvin, duv, rendering.ra,
+                        rendering.special[8]);
+  } else {
+    text += fmt::format("  no correlated colour temperature and no colour rendering: Duv is {:+.3f}\n", duv);
+  }
+  text += fmt::format("  melanopic daylight efficacy ratio {:.3f}, S/P ratio {:.2f}\n", melanopic, scotopic);
 }
 
 StageReport run(const StageRequest& request, core::ProgressSink& progress) {
@@ -90,9 +99,8 @@ Stage spectrumStage() {
   stage.title = "Colour of lamp spectra: XYZ, chromaticity, colour temperature";
   stage.help =
       "Reads spectra (.spd, .csv, TM-27 .spdx) or takes built-in ones by name (\"CIE FL11\") and gives X, Y, Z (Y = "
-      "100), x, y, u', v', "
-      "correlated colour temperature and Duv for the CIE 1931 observer, and the melanopic daylight efficacy ratio (CIE "
-      "S 026).";
+      "100), x, y, u', v', correlated colour temperature and Duv for the CIE 1931 observer, Ra and R9 (CIE 13.3), the "
+      "melanopic daylight efficacy ratio (CIE S 026) and the S/P ratio.";
   stage.inputName = "FILE";
   stage.manyInputs = true;
   stage.run = run;

@@ -72,6 +72,25 @@ const SpectralDistribution& melanopicAction() {
   return action;
 }
 
+const SpectralDistribution& scotopicEfficiency() {
+  static const SpectralDistribution efficiency = column(table("scotopic"), 1);
+  return efficiency;
+}
+
+const std::vector<SpectralDistribution>& testColours() {
+  static const std::vector<SpectralDistribution> samples = [] {
+    const auto& source = table("test_colours");
+    std::vector<SpectralDistribution> list;
+    for (std::size_t i = 1; i < source.columns.size(); ++i) {
+      const auto factor = column(source, i);
+      list.push_back(SpectralDistribution::sampled({factor.samples().begin(), factor.samples().end()},
+                                                   SpectralDistribution::Outside::hold));
+    }
+    return list;
+  }();
+  return samples;
+}
+
 std::optional<SpectralDistribution> illuminant(const std::string& name) {
   constexpr std::string_view prefix = "CIE ";
   if (name.size() <= prefix.size() || !sameIgnoringCase(std::string_view(name).substr(0, prefix.size()), prefix)) {
@@ -95,6 +114,22 @@ std::vector<std::string> illuminantNames() {
     for (const std::string_view name : table(file).columns.subspan(1)) names.push_back("CIE " + std::string(name));
   }
   return names;
+}
+
+SpectralDistribution daylight(double kelvin) {
+  assert(kelvin >= 4000 && kelvin <= 25000);
+  const double T = kelvin;
+  const double x = T <= 7000 ? -4.6070e9 / (T * T * T) + 2.9678e6 / (T * T) + 0.09911e3 / T + 0.244063
+                             : -2.0064e9 / (T * T * T) + 1.9018e6 / (T * T) + 0.24748e3 / T + 0.237040;
+  const double y = -3.000 * x * x + 2.870 * x - 0.275;
+  const double M = 0.0241 + 0.2562 * x - 0.7341 * y;
+  const double M1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / M, M2 = (0.0300 - 31.4424 * x + 30.0717 * y) / M;
+  const auto& components = table("daylight").values;
+  std::vector<SpectralDistribution::Sample> samples;
+  for (std::size_t i = 0; i + 4 <= components.size(); i += 4) {
+    samples.push_back({components[i], components[i + 1] + M1 * components[i + 2] + M2 * components[i + 3]});
+  }
+  return SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::zero);
 }
 
 SpectralDistribution blackbody(double kelvin) {

@@ -22,10 +22,20 @@ const Observer& cie1931();
 /// Melanopic action spectrum s_mel (CIE S 026:2018), 380-780 nm.
 const SpectralDistribution& melanopicAction();
 
+/// Spectral luminous efficiency for scotopic vision V'(lambda), 380-780 nm; its maximum luminous efficacy is in lm/W
+/// (CIE 018:2019).
+const SpectralDistribution& scotopicEfficiency();
+inline constexpr double maximumScotopicEfficacy = 1700.05;
+
+/// Radiance factors of test colour samples 1 to 14, in order — CIE 13.3-1995.
+const std::vector<SpectralDistribution>& testColours();
+
 /// Built-in illuminants and lamps: "CIE A", "CIE D50", "CIE D65", "CIE E", "CIE FL1".."CIE FL12", "CIE LED-B1", "CIE
 /// HP1" … Relative spectral power. nullopt for an unknown name; illuminantNames() lists all.
 std::optional<SpectralDistribution> illuminant(const std::string& name);
 std::vector<std::string> illuminantNames();
+/// CIE daylight of a correlated colour temperature of 4000 to 25000 K (asserted), relative, 360-830 nm — CIE 015:2018.
+SpectralDistribution daylight(double kelvin);
 /// Planck's radiator at a temperature in kelvin, relative, 360-830 nm at 1 nm.
 SpectralDistribution blackbody(double kelvin);
 

@@ -14,21 +14,10 @@ namespace {
 
 constexpr double largestSummedStep = 5;  // nm: the coarsest steps for which CIE 015 sums without interpolating first
 
-// The equal step of the samples, 0 when there is none.
-double equalStep(const SpectralDistribution& distribution) {
-  const auto samples = distribution.samples();
-  if (samples.size() < 3) return 0;
-  const double step = samples[1].wavelength - samples[0].wavelength;
-  for (std::size_t i = 2; i < samples.size(); ++i) {
-    if (std::abs(samples[i].wavelength - samples[i - 1].wavelength - step) > 1e-6) return 0;
-  }
-  return step;
-}
-
 // Integral of source x reflectance x observer's function, by the rule of the header.
 double response(const SpectralDistribution& source, const SpectralDistribution& reflectance, double step,
                 const SpectralDistribution& observer) {
-  if (step <= 0 || step > largestSummedStep) {
+  if (step == 0) {
     return integralOfProduct({&source, &observer, &reflectance}, visibleFrom, visibleTo);
   }
   double sum = 0;
@@ -42,7 +31,7 @@ double response(const SpectralDistribution& source, const SpectralDistribution& 
 }
 
 Xyz responses(const SpectralDistribution& source, const SpectralDistribution& reflectance) {
-  const double step = equalStep(source);
+  const double step = summationStep(source);
   const Observer& observer = cie1931();
   return {response(source, reflectance, step, observer.xbar), response(source, reflectance, step, observer.ybar),
           response(source, reflectance, step, observer.zbar)};
@@ -67,6 +56,17 @@ Uv1960 planckian(double mired) {
 
 }  // namespace
 
+double summationStep(const SpectralDistribution& source) {
+  const auto samples = source.samples();
+  if (samples.size() < 3) return 0;
+  const double step = samples[1].wavelength - samples[0].wavelength;
+  if (step > largestSummedStep) return 0;
+  for (std::size_t i = 2; i < samples.size(); ++i) {
+    if (std::abs(samples[i].wavelength - samples[i - 1].wavelength - step) > 1e-6) return 0;
+  }
+  return step;
+}
+
 Xyz tristimulus(const SpectralDistribution& source) {
   return responses(source, SpectralDistribution::flat(1));
 }
@@ -80,6 +80,11 @@ Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribut
 double melanopicDer(const SpectralDistribution& source) {
   constexpr double ofD65 = 1.3262e-3;  // W/lm — CIE S 026:2018
   return source.integral(melanopicAction()) / (maximumLuminousEfficacy * source.integral(cie1931().ybar)) / ofD65;
+}
+
+double scotopicPhotopicRatio(const SpectralDistribution& source) {
+  return maximumScotopicEfficacy * source.integral(scotopicEfficiency()) /
+         (maximumLuminousEfficacy * source.integral(cie1931().ybar));
 }
 
 Chromaticity chromaticity(const Xyz& colour) {

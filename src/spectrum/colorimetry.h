@@ -18,11 +18,14 @@ struct UvPrime {
   double u = 0, v = 0;
 };
 
-/// Tristimulus values of a source, 360-830 nm: the integrals of power times colour-matching function, per nm.
-/// A continuum tabulated in equal steps of at most 5 nm is summed at its own wavelengths, as CIE 015 does: that is how
-/// the published chromaticities of the illuminants come about. Any other is joined by straight lines and integrated
-/// exactly (as light transport does); for the CIE lamp tables the two differ by up to 0.0003 in x, y. Lines add to
-/// either.
+/// How CIE 015 forms tristimulus values of a table: one in equal steps of at most 5 nm is summed at its own
+/// wavelengths, which is how the published chromaticities of the illuminants come about. The step in nm, or 0 for any
+/// other distribution: that is joined by straight lines and integrated exactly, as light transport does. For the CIE
+/// lamp tables the two differ by up to 0.0003 in x, y.
+double summationStep(const SpectralDistribution& source);
+
+/// Tristimulus values of a source: sum or integral over 360-830 nm of power times colour-matching function, as
+/// summationStep says. Lines add to either.
 Xyz tristimulus(const SpectralDistribution& source);
 /// Tristimulus values of a reflectance (or transmittance) under a source, by the same rule; Y = 1 for the perfect
 /// diffuser.
@@ -32,6 +35,9 @@ Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribut
 /// equivalent daylight illuminance is illuminance times this — CIE S 026:2018. Integrated exactly (the standard's
 /// toolbox works at 1 nm). The source must have luminous power.
 double melanopicDer(const SpectralDistribution& source);
+
+/// S/P ratio: scotopic over photopic luminous flux, integrated exactly. The source must have luminous power.
+double scotopicPhotopicRatio(const SpectralDistribution& source);
 
 /// (0, 0) for black.
 Chromaticity chromaticity(const Xyz& colour);

@@ -24,6 +24,8 @@ TEST(SpectrumStage, BuiltInIlluminantsAndFilesGiveTheirColour) {
   EXPECT_NEAR(fl11.find("x")->number(), 0.38054, 5e-5);
   EXPECT_NEAR(fl11.find("y")->number(), 0.37692, 5e-5);
   EXPECT_NEAR(fl11.find("cct_k")->number(), 3999, 1);
+  EXPECT_NEAR(fl11.find("ra")->number(), 82.8, 0.1);
+  EXPECT_NEAR(fl11.find("r9")->number(), 25, 0.6);
   EXPECT_NEAR(fl11.find("melanopic_der")->number(), 0.5636, 5e-4);
   EXPECT_NEAR(report.json.array()[1].find("x")->number(), 1.0 / 3, 5e-5);
   EXPECT_NEAR(report.json.array()[1].find("melanopic_der")->number(), 0.9058, 5e-4);
@@ -44,6 +46,7 @@ TEST(SpectrumStage, FarFromThePlanckianLocusThereIsNoTemperature) {
   const test::TemporaryFolder folder;
   const auto green = folder.write("green.csv", "519,0\n520,1\n521,0\n").string();
   EXPECT_TRUE(runSpectrum({green}).json.array()[0].find("cct_k")->isNull());
+  EXPECT_TRUE(runSpectrum({green}).json.array()[0].find("ra")->isNull());
 }
 
 }  // namespace

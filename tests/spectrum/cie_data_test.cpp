@@ -98,6 +98,17 @@ TEST(CieData, EveryNamedIlluminantExistsAndShines) {
   EXPECT_FALSE(illuminant("CIE FL13"));
 }
 
+TEST(CieData, DaylightOf6504KelvinIsD65) {
+  // D65 is defined at 6500 K x 1.4388 / 1.4380; its table was made with rounded factors M1, M2.
+  const auto made = daylight(6500 * 1.4388 / 1.4380), table = illuminant("CIE D65").value();
+  for (double w = 360; w <= 830; w += 5) EXPECT_NEAR(made.continuum(w), table.continuum(w), 0.05) << w;
+}
+
+TEST(CieData, ScotopicVisionPeaksAt507Nanometres) {
+  EXPECT_EQ(scotopicEfficiency().continuum(507), scotopicEfficiency().range().second);
+  EXPECT_EQ(testColours().size(), 14U);
+}
+
 TEST(CieData, BlackbodyOf2856KelvinIsIlluminantA) {
   // A's definition is Planck's law with an older c2; at 2855.5 K (2848 K x 1.438776877 / 1.435) today's c2 gives the
   // same curve.

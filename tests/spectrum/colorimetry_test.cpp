@@ -47,6 +47,11 @@ TEST(Colorimetry, MelanopicRatioOfIlluminants) {
   for (const auto& [name, ratio] : ratios) EXPECT_NEAR(melanopicDer(illuminant(name).value()), ratio, 1e-4) << name;
 }
 
+TEST(Colorimetry, ScotopicPhotopicRatioOfIlluminantA) {
+  EXPECT_NEAR(scotopicPhotopicRatio(illuminant("CIE A").value()), 1.41, 0.01);  // the value that lamp data sheets give
+  EXPECT_NEAR(scotopicPhotopicRatio(illuminant("CIE D65").value()), 2.47, 0.01);  // likewise
+}
+
 TEST(Colorimetry, TemperatureOfFarColoursIsThatOfTheNearestPoint) {
   struct {
     double u, v, kelvin, duv;
