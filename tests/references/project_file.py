@@ -191,6 +191,16 @@ class Reader:
                         surfaces.append(("disc", put(top), put(top) - put(base), radius, pick("top")))
                     if caps == "both":
                         solids.append(("cylinder", put(base), put(top), radius))
+            elif shape == "cone":
+                base, axis = np.array(o["base"], float), np.array(o.get("axis", [0, 0, 1]), float)
+                top = np.array(o["top"], float) if "top" in o else base + o["height"] * axis / np.linalg.norm(axis)
+                ends = [(put(base), put(base) - put(top), self.unit * scale * o["radius"], "bottom"),
+                        (put(top), put(top) - put(base), self.unit * scale * o.get("top_radius", 0), "top")]
+                surfaces.append(("cone", put(base), put(top), ends[0][2], ends[1][2], pick("side")))
+                for place, normal, radius, part in ends:
+                    if radius > 0 and o.get("caps", "both") in ("both", part):
+                        surfaces.append(("disc", place, normal, radius, pick(part)))
+                solids.append(("cone", put(base), put(top), ends[0][2], ends[1][2]))
             else:
                 raise ValueError(f"{o['name']}: shape {shape} is not read here")
         return surfaces, solids
@@ -216,6 +226,10 @@ class Reader:
                 distribution = photometry.Distribution(gamma, np.array([0.0, 360.0]), table, None)
             elif kind == "isotropic":
                 distribution = photometry.Distribution(np.array([0.0, 180.0]), np.array([0.0, 360.0]), np.ones((2, 2)), None)
+            elif isinstance(kind, dict) and "cosine_power" in kind:
+                gamma = np.linspace(0, 180, 1801)
+                lobe = np.maximum(np.cos(np.radians(gamma)), 0) ** kind["cosine_power"]
+                distribution = photometry.Distribution(gamma, np.array([0.0, 360.0]), lobe[:, None].repeat(2, axis=1), None)
             elif kind != "diffuse":
                 if not isinstance(kind, str):
                     raise ValueError(f"{l['name']}: photometry {kind} is not read here")
@@ -276,4 +290,5 @@ def inside(solid, p, margin=1e-6):
         return np.linalg.norm(p - solid[1]) < solid[2] - margin
     axis = solid[2] - solid[1]
     t = (p - solid[1]).dot(axis) / axis.dot(axis)
-    return bool(0 < t < 1 and np.linalg.norm(p - solid[1] - t * axis) < solid[3] - margin)
+    radius = solid[3] + t * (solid[4] - solid[3]) if solid[0] == "cone" else solid[3]
+    return bool(0 < t < 1 and np.linalg.norm(p - solid[1] - t * axis) < radius - margin)
