@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "core/document.h"
 #include "core/text.h"
 #include "photometry/candela_table.h"
+#include "photometry/lm63_labels.h"
 #include "photometry/number_reader.h"
 
 namespace goniolux::photometry {
@@ -22,36 +21,6 @@ using core::SourcePosition;
 constexpr double metresPerFoot = 0.3048;
 constexpr int largestCount = 1'000'000'000;
 constexpr std::size_t largestTiltFile = 1 << 20;
-
-const char* editionName(Lm63Edition edition) {
-  switch (edition) {
-    case Lm63Edition::e1986:
-      return "LM-63-1986";
-    case Lm63Edition::e1991:
-      return "LM-63-1991";
-    case Lm63Edition::e1995:
-      return "LM-63-1995";
-    case Lm63Edition::e2002:
-      return "LM-63-2002";
-    case Lm63Edition::e2019:
-      break;
-  }
-  return "LM-63-2019";
-}
-
-bool isFormatLine(std::string_view line) {
-  const std::string upper = core::upperCase(core::trimmed(line));
-  return upper.starts_with("IESNA") || upper.starts_with("IES:LM-63");
-}
-
-// The value of a "TILT=value" line, if it is one.
-std::optional<std::string_view> tiltValue(std::string_view line) {
-  const std::string_view text = core::trimmed(line);
-  if (core::upperCase(text.substr(0, 4)) != "TILT") return std::nullopt;
-  const std::string_view rest = core::trimmed(text.substr(4));
-  if (!rest.starts_with('=')) return std::nullopt;
-  return core::trimmed(rest.substr(1));
-}
 
 class Reader {
  public:
@@ -65,10 +34,13 @@ class Reader {
       throw core::InputError(at(1), "utf-16", "the file is UTF-16 text; LM-63 is ASCII: save it as ASCII or UTF-8");
     }
     if (scanner_.atEnd()) throw core::InputError(at(1), "empty-file", "the file is empty; fetch it again");
-    readFormatLine();
-    const std::string tilt = readKeywords();
-    noteUnits();
-    readNumbersWithEitherComma(tilt);
+    Lm63Labels labels = readLm63Labels(scanner_, encoding_, file_.file, file_.warnings);
+    edition_ = labels.edition;
+    tiltAt_ = labels.tiltAt;
+    file_.format = lm63EditionName(edition_);
+    file_.keywords = std::move(labels.keywords);
+    file_.radiometric = labels.radiometric;
+    readNumbersWithEitherComma(labels.tilt);
     return std::move(file_);
   }
 
@@ -76,105 +48,6 @@ class Reader {
   [[nodiscard]] SourcePosition at(int line, int column = 0) const { return {file_.file, line, column}; }
   void warn(SourcePosition position, const char* rule, std::string message) {
     file_.warnings.warning(std::move(position), rule, std::move(message));
-  }
-
-  void readFormatLine() {
-    core::TextScanner start = scanner_;
-    auto line = scanner_.line();
-    while (line && core::trimmed(line->text).empty()) line = scanner_.line();
-    if (line && isFormatLine(line->text)) {
-      identifyEdition(*line);
-    } else {
-      scanner_ = start;  // LM-63-1986 has no format line
-      warn(at(1), "format-line-missing",
-           "the first line does not name an edition; read as LM-63-1986, where the 12th header number multiplies the "
-           "candelas");
-    }
-    file_.format = editionName(edition_);
-  }
-
-  void identifyEdition(const core::TextPiece& line) {
-    static constexpr std::array<std::pair<std::string_view, Lm63Edition>, 5> exact{
-        {{"IESNA86", Lm63Edition::e1986},
-         {"IESNA91", Lm63Edition::e1991},
-         {"IESNA:LM-63-1995", Lm63Edition::e1995},
-         {"IESNA:LM-63-2002", Lm63Edition::e2002},
-         {"IES:LM-63-2019", Lm63Edition::e2019}}};
-    const std::string text = core::upperCase(core::trimmed(line.text));
-    for (const auto& [name, edition] : exact) {
-      if (text == name) {
-        edition_ = edition;
-        return;
-      }
-    }
-    // The year that ends the line, with two or four digits.
-    std::size_t digits = 0;
-    while (digits < text.size() && digits < 4 &&
-           std::isdigit(static_cast<unsigned char>(text[text.size() - 1 - digits])))
-      ++digits;
-    int year = 0;
-    for (std::size_t i = text.size() - digits; i < text.size(); ++i) year = 10 * year + (text[i] - '0');
-    if (digits == 2) year += year >= 86 ? 1900 : 2000;
-    edition_ = year >= 2019 || year < 1986 ? Lm63Edition::e2019
-               : year >= 2002              ? Lm63Edition::e2002
-               : year >= 1994              ? Lm63Edition::e1995
-               : year >= 1991              ? Lm63Edition::e1991
-                                           : Lm63Edition::e1986;
-    warn(at(line.line, line.column), "odd-format-line",
-         fmt::format("'{}' is not the format line of any edition; read as {}",
-                     core::toUtf8(core::trimmed(line.text).substr(0, 40), encoding_), editionName(edition_)));
-  }
-
-  // Label lines up to TILT=; returns what stands after the equals sign.
-  std::string readKeywords() {
-    std::string last;
-    bool warned = false;
-    while (const auto line = scanner_.line()) {
-      if (const auto tilt = tiltValue(line->text)) {
-        tiltAt_ = at(line->line, line->column);
-        return std::string(*tilt);
-      }
-      const std::string_view text = core::trimmed(line->text);
-      const std::size_t close = text.find(']');
-      if (text.empty()) continue;
-      if (!text.starts_with('[') || close == std::string_view::npos) {
-        if (edition_ > Lm63Edition::e1986 && !warned) {
-          warn(at(line->line, line->column), "free-text-label",
-               "a label line without [KEYWORD]; kept as text, it changes no value");
-          warned = true;
-        }
-        append("TEXT", text);
-        continue;
-      }
-      const std::string key = core::toUtf8(core::upperCase(core::trimmed(text.substr(1, close - 1))), encoding_);
-      if (key == "BLOCK" || key == "ENDBLOCK") continue;
-      if (key != "MORE") last = key;
-      if (!last.empty()) append(last, core::trimmed(text.substr(close + 1)));
-    }
-    throw core::InputError(at(scanner_.lineNumber()), "tilt-line-missing",
-                           "the file ends without a TILT= line; it is cut short, or no LM-63 file");
-  }
-
-  // Keywords may be repeated, and [MORE] continues them: one line each.
-  void append(const std::string& key, std::string_view value) {
-    auto [entry, isNew] = file_.keywords.try_emplace(key);
-    if (!isNew) entry->second += '\n';
-    entry->second += core::toUtf8(value, encoding_);
-  }
-
-  void noteUnits() {
-    for (const auto& [key, value] : file_.keywords) {
-      const std::string lower = core::lowerCase(value);
-      if (lower.find("mw/sr") == std::string::npos && lower.find("radiometric") == std::string::npos) continue;
-      file_.radiometric = true;
-      warn(
-          tiltAt_, "radiometric-units",
-          fmt::format(
-              "[{}] says that the values are radiometric (mW/sr); they are read as candelas, without conversion: every "
-              "\"lumen\" of this file is a milliwatt",
-              key));
-      return;
-    }
   }
 
   // In LM-63 a comma parts numbers. Where that makes no sense and a comma stands inside of numbers, it is tried as
@@ -396,17 +269,6 @@ class Reader {
 };
 
 }  // namespace
-
-bool looksLikeLm63(std::string_view bytes) {
-  core::TextScanner scanner(bytes);
-  bool isFirst = true;
-  while (const auto line = scanner.line()) {
-    if (core::trimmed(line->text).empty()) continue;
-    if ((isFirst && isFormatLine(line->text)) || tiltValue(line->text)) return true;
-    isFirst = false;
-  }
-  return false;
-}
 
 PhotometricFile readLm63(std::string_view bytes, const std::string& fileName) {
   return Reader(bytes, fileName).read();
