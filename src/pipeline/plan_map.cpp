@@ -122,7 +122,7 @@ void setScale(const GridResult& grid, const MapOptions& options, plot::PlanMap& 
   map.highest = *high;
   // Lines closer than twice the typical half-width would draw noise.
   const double finest = 2 * *middle;
-  map.levels = options.levels.empty() ? plot::isoluxLevels(*low, *high, finest) : options.levels;
+  map.levels = options.levels.empty() ? plot::mapLevels(values, finest) : options.levels;
   if (map.levels.empty() && map.highest - map.lowest < std::max(2 * finest, 0.02 * std::abs(map.highest))) {
     // One colour for what is the same everywhere.
     const double span = std::max(0.1 * std::abs(map.highest), 1e-3);

@@ -82,13 +82,13 @@ bool overlap(const LabelBox& a, const LabelBox& b) {
   return true;
 }
 
-bool LabelPlacement::isFree(const LabelBox& box, bool mindSoftLines) const {
+bool LabelPlacement::isFree(const LabelBox& box, bool mindSoftLines, std::size_t owner) const {
   for (const Vec2& corner : corners(box)) {
     if (corner.x < low_.x || corner.y < low_.y || corner.x > high_.x || corner.y > high_.y) return false;
   }
   const double reach = std::hypot(box.width, box.height) / 2;
   const auto crosses = [&](const Line& line) {
-    if (line.soft && !mindSoftLines) return false;
+    if ((line.soft && !mindSoftLines) || (owner != 0 && line.owner == owner)) return false;
     const Vec2 along = line.to - line.from, middle = (line.from + line.to) / 2.0;
     const double length = glm::length(along);
     if (glm::distance(middle, box.center) > reach + length / 2) return false;
@@ -98,11 +98,12 @@ bool LabelPlacement::isFree(const LabelBox& box, bool mindSoftLines) const {
          std::none_of(lines_.begin(), lines_.end(), crosses);
 }
 
-void LabelPlacement::avoidLine(const Polyline& line, bool softly) {
-  for (std::size_t i = 1; i < line.size(); ++i) lines_.push_back({line[i - 1], line[i], softly});
+void LabelPlacement::avoidLine(const Polyline& line, bool softly, std::size_t owner) {
+  for (std::size_t i = 1; i < line.size(); ++i) lines_.push_back({line[i - 1], line[i], softly, owner});
 }
 
-std::vector<LineLabel> LabelPlacement::alongLine(const Polyline& line, double width, double height, double spacing) {
+std::vector<LineLabel> LabelPlacement::alongLine(const Polyline& line, double width, double height, double spacing,
+                                                 std::size_t owner) {
   std::vector<LineLabel> labels;
   if (line.size() < 2) return labels;
   const Arc arc(line);
@@ -135,7 +136,7 @@ std::vector<LineLabel> LabelPlacement::alongLine(const Polyline& line, double wi
         const double away = std::abs(candidate.label.from - other.from);
         return away >= spacing;
       });
-      if (!apart || !isFree(candidate.label.box, mindSoftLines)) continue;
+      if (!apart || !isFree(candidate.label.box, mindSoftLines, owner)) continue;
       occupy(candidate.label.box);
       labels.push_back(candidate.label);
     }

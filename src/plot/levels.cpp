@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace goniolux::plot {
 namespace {
@@ -44,6 +45,28 @@ std::vector<double> isoluxLevels(double minimum, double maximum, double finest) 
   double step = roundStep((maximum - minimum) / 6.5);
   while (step < finest) step = roundStep(2 * step);
   return multiples(minimum, maximum, step, false);
+}
+
+std::vector<double> mapLevels(std::vector<double> values, double finest) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto quantile = [&](double fraction) {
+    return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1))];
+  };
+  const double minimum = values.front(), maximum = values.back();
+  std::vector<double> levels = isoluxLevels(quantile(0.05), quantile(0.98), finest);
+  if (levels.empty()) return isoluxLevels(minimum, maximum, finest);
+  for (int extra = 0; extra < 2; ++extra) {
+    const auto above = std::upper_bound(std::begin(illuminanceScale), std::end(illuminanceScale), levels.front() / 2);
+    if (above == std::begin(illuminanceScale) || *(above - 1) <= minimum) break;
+    levels.insert(levels.begin(), *(above - 1));
+  }
+  for (int extra = 0; extra < 2; ++extra) {
+    const auto above = std::lower_bound(std::begin(illuminanceScale), std::end(illuminanceScale), 2 * levels.back());
+    if (above == std::end(illuminanceScale) || *above >= maximum) break;
+    levels.push_back(*above);
+  }
+  return levels;
 }
 
 std::vector<double> axisTicks(double minimum, double maximum, int wanted) {

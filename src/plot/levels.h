@@ -13,6 +13,11 @@ namespace goniolux::plot {
 /// strictly inside the range; empty for a map of one value.
 std::vector<double> isoluxLevels(double minimum, double maximum, double finest = 0);
 
+/// Levels for a map of these values. A few deep shadows or hot spots must not take the scale from the rest: the levels
+/// of isoluxLevels() for what lies between the 5 % and the 98 % quantile, and outside that at most two further steps of
+/// the scale of illuminance on each side, at least a factor of two apart.
+std::vector<double> mapLevels(std::vector<double> values, double finest);
+
 /// Even round numbers that cover [minimum, maximum] in about `wanted` steps, for axes. Ascending, inside the range.
 std::vector<double> axisTicks(double minimum, double maximum, int wanted);
 

@@ -44,6 +44,15 @@ TEST(IsoluxLevels, StayStrictlyInsideAndFewForAnyRange) {
   }
 }
 
+TEST(MapLevels, GiveTheScaleToTheRoomAndNotToOneDarkCorner) {
+  std::vector<double> values;
+  for (int k = 0; k <= 1000; ++k) values.push_back(400 + 0.3 * k);  // 400 to 700
+  values.insert(values.end(), 20, 9.0);                             // fewer than 5 % in a shadow
+  EXPECT_EQ(mapLevels(values, 1), (Levels{100, 200, 450, 500, 550, 600, 650}));
+  values.insert(values.end(), 10, 4000.0);
+  EXPECT_EQ(mapLevels(values, 1), (Levels{100, 200, 450, 500, 550, 600, 650, 1500, 3000}));
+}
+
 TEST(AxisTicks, IncludeRoundEnds) {
   EXPECT_EQ(axisTicks(0, 6, 6), (Levels{0, 1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(axisTicks(-0.09, 2.09, 4), (Levels{0, 0.5, 1, 1.5, 2}));

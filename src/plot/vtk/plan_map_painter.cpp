@@ -88,10 +88,12 @@ void PlanMapPainter::paintColours(Ink& ink) const {
 
 void PlanMapPainter::paintIsolines(Ink& ink, LabelPlacement& labels) const {
   const TextStyle style{labelSize, false, black, 0, TextStyle::Align::center};
-  for (const FineMap::Isoline& isoline : isolines_) {
+  for (std::size_t i = 0; i < isolines_.size(); ++i) labels.avoidLine(isolines_[i].points, false, i + 1);
+  for (std::size_t i = 0; i < isolines_.size(); ++i) {
+    const FineMap::Isoline& isoline = isolines_[i];
     const std::string text = levelText(isoline.level);
     const Vec2 size = textSize(text, style);
-    const std::vector<LineLabel> placed = labels.alongLine(isoline.points, size.x + 10, size.y + 8, 420);
+    const std::vector<LineLabel> placed = labels.alongLine(isoline.points, size.x + 10, size.y + 6, 420, i + 1);
     const Rgb colour = inkOn(scale_.colour(isoline.level));
     for (const Polyline& part : withGaps(isoline.points, placed)) ink.line(part, colour, 1.3);
     for (const LineLabel& label : placed) {
@@ -158,7 +160,6 @@ void PlanMapPainter::paintDots(Ink& ink, LabelPlacement& labels) const {
 }
 
 void PlanMapPainter::paintValues(Ink& ink, LabelPlacement& labels) const {
-  for (const FineMap::Isoline& isoline : isolines_) labels.avoidLine(isoline.points);
   // Every k-th point along each edge, so that neighbours stand at least 100 pixels apart.
   const MapGrid& grid = *map_.grid;
   const auto stepAlong = [&](const Vec2& edge, int count) {
