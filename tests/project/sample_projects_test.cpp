@@ -8,21 +8,13 @@
 #include "core/document.h"
 #include "project/project.h"
 #include "project/schema.h"
+#include "sample_projects.h"
 #include "support/temporary_folder.h"
 
 namespace goniolux::project {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> sampleProjects() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(GONIOLUX_SOURCE_DIR) / "projects")) {
-    if (entry.path().filename() == "project.json") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 core::Value parsed(const fs::path& file) {
   core::Diagnostics diagnostics;
@@ -32,8 +24,8 @@ core::Value parsed(const fs::path& file) {
 }
 
 TEST(SampleProjects, AreReadWithoutErrorsOrWarnings) {
-  ASSERT_GE(sampleProjects().size(), 11U);
-  for (const fs::path& file : sampleProjects()) {
+  ASSERT_GE(test::sampleProjects().size(), 11U);
+  for (const fs::path& file : test::sampleProjects()) {
     try {
       const Project project = readProject(file.string());
       for (const auto& warning : project.warnings.all()) ADD_FAILURE() << core::toString(warning);
@@ -118,7 +110,8 @@ class SchemaCheck {
 
 TEST(ProjectSchema, AcceptsTheSampleProjects) {
   const core::Value schema = projectSchema();
-  for (const fs::path& file : sampleProjects()) EXPECT_TRUE(SchemaCheck(schema).accepts(parsed(file), schema)) << file;
+  for (const fs::path& file : test::sampleProjects())
+    EXPECT_TRUE(SchemaCheck(schema).accepts(parsed(file), schema)) << file;
 }
 
 TEST(ProjectSchema, RefusesWhatTheReaderRefuses) {
