@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "analysis/grid_estimate.h"
 #include "core/parallel.h"
@@ -101,6 +102,15 @@ StageReport plan(const StageRequest& request, core::ProgressSink&) {
   report.text += fmt::format(
       "  about {:.1f} s for the grids to {:g} %, {:.1f} s for the views to {:g} %, on {} threads\n", f.grids_s,
       100 * project.settings.accuracy.grid, f.images_s, 100 * project.settings.accuracy.image, core::threadCount());
+  if (request.common.output) {
+    const std::filesystem::path file = std::filesystem::path(*request.common.output) / "plan.json";
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error)
+      throw core::RunError(fmt::format("{}: the folder cannot be made: {}", *request.common.output, error.message()));
+    core::writeFile(file.string(), core::toJson(report.json));
+    report.files.push_back(file.string());
+  }
   return report;
 }
 
@@ -112,8 +122,7 @@ Stage planStage() {
   stage.title = "Say what would be calculated, what is left out, and how long it takes";
   stage.help =
       "The settings that the accuracy asked for needs, what is left out with its bound, and a forecast of the time "
-      "from a "
-      "coarse trial.";
+      "from a coarse trial. Writes nothing, or plan.json into the folder given with -o.";
   stage.inputName = "PROJECT";
   stage.run = plan;
   return stage;

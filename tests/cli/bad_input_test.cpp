@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "cli/projects.h"
+#include "pipeline/stage.h"
 #include "support/program.h"
 
 namespace goniolux::test {
@@ -75,7 +76,6 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& which) { return which.param.name; });
 
 TEST(BadInput, AViewInsideAnObjectIsRefused) {
-  NEEDS("render");
   const TemporaryFolder folder;
   folder.write(
       "project.json",

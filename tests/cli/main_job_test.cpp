@@ -38,18 +38,17 @@ TEST_F(MainJob, SchemaIsOneJsonDocument) {
 }
 
 TEST_F(MainJob, PlanSaysWhatItWouldDo) {
-  NEEDS("plan");
-  const Outcome outcome = goniolux({"plan", project(), "--json", "--accuracy", "3 %"});
+  const Outcome outcome = goniolux({"plan", project(), "--json", "--accuracy", "3 %", "-o", in("out")});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   const core::Value plan = oneDocument(outcome.out);
   for (const char* key : {"solver", "spectral_samples", "left_out", "predicted_time_s", "reasons"})
     EXPECT_NE(plan.find(key), nullptr) << key << '\n' << outcome.out;
+  EXPECT_EQ(contentOf(folder_.path() / "out/plan.json"), outcome.out);
 }
 
 // Φ (1 + ρ + ρ² …) / S spread over the room is the mean over all surfaces; the work plane's differs by its place, so
 // the tests of analysis and solver hold the number; here only that it is of that size: 1000 lm / (59 m² · 0.5) = 34 lx.
 TEST_F(MainJob, IlluminatePrintsOneDocumentWithEveryPointAndItsHalfWidth) {
-  NEEDS("illuminate");
   const Outcome outcome =
       goniolux({"illuminate", project(), "-o", in("out"), "--accuracy", "5 %", "--seed", "3", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -68,8 +67,6 @@ TEST_F(MainJob, IlluminatePrintsOneDocumentWithEveryPointAndItsHalfWidth) {
 }
 
 TEST_F(MainJob, TheSameSeedGivesTheSameBytesWithOneThreadAndWithTwo) {
-  NEEDS("illuminate");
-  NEEDS("render");
   for (const std::string threads : {"1", "2"}) {
     const Outcome grids = goniolux({"illuminate", project(), "-o", in(threads), "--accuracy", "5 %", "--seed", "7",
                                     "--threads", threads, "--quiet"});
@@ -88,23 +85,23 @@ TEST_F(MainJob, TheSameSeedGivesTheSameBytesWithOneThreadAndWithTwo) {
 }
 
 TEST_F(MainJob, AnotherSeedGivesOtherBytes) {
-  NEEDS("illuminate");
   for (const std::string seed : {"1", "2"})
     ASSERT_EQ(goniolux({"illuminate", project(), "-o", in(seed), "--accuracy", "5 %", "--seed", seed}).exitCode, 0);
   EXPECT_NE(contentOf(folder_.path() / "1/work-plane.csv"), contentOf(folder_.path() / "2/work-plane.csv"));
 }
 
 TEST_F(MainJob, RunWritesTheGridTheImageAndThePictures) {
-  NEEDS("run");
   const Outcome outcome = goniolux({"run", project(), "--accuracy", "20 %", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   oneDocument(outcome.out);
-  for (const char* file : {"grids.json", "work-plane.csv", "work-plane.vtp", "door.exr", "door.png", "plan.json"})
+  for (const char* file : {"grids.json", "work-plane.csv", "work-plane.vtp", "door.exr", "door.png"})
     EXPECT_TRUE(fs::exists(folder_.path() / "results" / file)) << file << '\n' << outcome.err;
+  // Where OpenGL cannot be had at all, the program says so and goes on.
+  const bool cannotDraw = outcome.err.find("drawing is not possible here") != std::string::npos;
+  EXPECT_NE(fs::exists(folder_.path() / "results/work-plane.png"), cannotDraw) << outcome.err;
 }
 
 TEST_F(MainJob, AFailedRequirementIsExitCodeOne) {
-  NEEDS("illuminate");
   folder_.write("project.json",
                 changed(smallRoom, "\"views\": [",
                         "\"requirements\": [ { \"grid\": \"work plane\", \"mean_lx\": { \"min\": 5000 } } ], "
@@ -114,7 +111,6 @@ TEST_F(MainJob, AFailedRequirementIsExitCodeOne) {
 }
 
 TEST_F(MainJob, CtrlCEndsItSoonWithExitCodeThree) {
-  NEEDS("illuminate");
   const auto begin = std::chrono::steady_clock::now();
   Running running({GONIOLUX_PROGRAM, "illuminate", project(), "--accuracy", "0.001 %", "-o", in("out")});
   std::this_thread::sleep_for(std::chrono::milliseconds(700));
@@ -125,7 +121,6 @@ TEST_F(MainJob, CtrlCEndsItSoonWithExitCodeThree) {
 }
 
 TEST_F(MainJob, ATimeLimitSaysWhatWasReached) {
-  NEEDS("illuminate");
   const Outcome outcome =
       goniolux({"illuminate", project(), "--accuracy", "0.001 %", "--time-limit", "1", "-o", in("out"), "--json"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;

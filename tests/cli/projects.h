@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 
-#include "pipeline/stage.h"
 #include "support/temporary_folder.h"
 
 namespace goniolux::test {
@@ -41,13 +40,5 @@ inline std::map<std::string, std::string> snapshot(const std::filesystem::path& 
       files[entry.path().lexically_relative(folder).generic_string()] = contentOf(entry.path());
   return files;
 }
-
-inline bool verbExists(const std::string& verb) {
-  for (const pipeline::Stage& stage : pipeline::stages())
-    if (stage.name == verb) return true;
-  return false;
-}
-#define NEEDS(verb) \
-  if (!verbExists(verb)) GTEST_SKIP() << "waits for the verb " << verb
 
 }  // namespace goniolux::test

@@ -146,8 +146,8 @@ double childrensCpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// 13 ms of CPU time were measured, most of it the dynamic linker's; loading VTK and Qt would add 30 ms. The best of several
-// counts, because the machine has other work.
+// 13 ms of CPU time were measured, most of it the dynamic linker's; loading VTK and Qt would add 30 ms. The best of
+// several counts, because the machine has other work.
 TEST(Program, StartsInMilliseconds) {
   double best = 1e9;
   for (int i = 0; i < 20; ++i) {
