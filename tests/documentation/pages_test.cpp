@@ -92,6 +92,19 @@ TEST(Pages, EveryLinkLeadsToAFile) {
   EXPECT_GT(seen, 20) << "the links were not found";
 }
 
+TEST(Pages, EveryPageOfTheDocumentationIsLinkedFromAnother) {
+  std::set<fs::path> linked;
+  for (const fs::path& page : pages())
+    for (const Link& link : linksOf(page))
+      if (fs::exists(page.parent_path() / link.target)) linked.insert(fs::canonical(page.parent_path() / link.target));
+  for (const fs::path& page : pages()) {
+    if (!toString({page, 0}).starts_with("docs/")) continue;
+    // A link to its folder will do: the folder lists it.
+    EXPECT_TRUE(linked.contains(fs::canonical(page)) || linked.contains(fs::canonical(page.parent_path())))
+        << toString({page, 0}) << ": name it in docs/README.md";
+  }
+}
+
 TEST(Pages, TheExampleProjectOfTheReadmeAndOfGettingStartedPassTheCheck) {
   int seen = 0;
   for (const char* page : {"README.md", "docs/getting-started.md"}) {
