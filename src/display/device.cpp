@@ -32,6 +32,11 @@ Mat3 xyzFromRgb(const Device& device) {
   return primaries;
 }
 
+Mat3 rgbFromXyz(const Device& device, const std::optional<Chromaticity>& adoptedWhite) {
+  const Mat3 matrix = glm::inverse(xyzFromRgb(device));
+  return adoptedWhite ? matrix * adaptation(*adoptedWhite, device.white) : matrix;
+}
+
 Mat3 adaptation(const Chromaticity& from, const Chromaticity& to) {
   // The matrix M16; GLM takes columns.
   const Mat3 cones =

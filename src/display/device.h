@@ -1,6 +1,7 @@
 // Device: an additive display with three primaries, a white and a transfer curve, as data (*.device.json).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ std::vector<std::string> presetNames();
 
 /// Tristimulus values (device white: Y = 1) of linear device values; columns are the primaries. SMPTE RP 177-1993.
 core::Mat3 xyzFromRgb(const Device& device);
+
+/// Linear device values of tristimulus values, seen under `adoptedWhite` (adapted to the device's white) or as they
+/// are.
+core::Mat3 rgbFromXyz(const Device& device, const std::optional<spectrum::Chromaticity>& adoptedWhite);
 
 /// Von Kries adaptation in the sharpened cone space of CAT16 (Li et al., Color Res. Appl. 42(6), 2017), complete:
 /// colours seen under white `from` become those that look alike under white `to`; `from` itself becomes `to`, luminance

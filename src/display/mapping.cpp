@@ -38,9 +38,7 @@ class Encoder {
 
 CodeImage mapToDevice(const image::XyzImage& image, const Device& device, const MappingSettings& settings) {
   assert(settings.white_cd_m2 > 0 && (settings.bits == 8 || settings.bits == 16));
-  core::Mat3 matrix = glm::inverse(xyzFromRgb(device));
-  if (settings.adoptedWhite) matrix = matrix * adaptation(*settings.adoptedWhite, device.white);
-  const glm::mat3 toRgb(matrix / settings.white_cd_m2);
+  const glm::mat3 toRgb(rgbFromXyz(device, settings.adoptedWhite) / settings.white_cd_m2);
   const Encoder encode(device.transfer, settings.bits);
   const double halfCode = 0.5 / ((1 << settings.bits) - 1);
   const auto darkest = static_cast<float>(-device.transfer.decode(halfCode));

@@ -56,9 +56,9 @@ std::optional<Chromaticity> adoptedWhite(const StageRequest& request, const imag
   return white;
 }
 
-display::Exposure exposure(const StageRequest& request, const image::XyzImage& image) {
+display::Exposure exposure(const StageRequest& request, const display::LuminanceStatistics& statistics) {
   const auto white = request.options.find("white");
-  if (white == request.options.end()) return display::exposureFrom(optionOr(request, "exposure", "auto"), image);
+  if (white == request.options.end()) return display::exposureFrom(optionOr(request, "exposure", "auto"), statistics);
   if (request.options.contains("exposure")) {
     throw core::InputError({"--white", 0, 0}, "exposure",
                            "--white and --exposure both set the brightness; give one of them");
@@ -103,9 +103,11 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
 
   progress.progress("reading the image", 0, "");
   const image::XyzImage image = image::readExr(input);
-  const display::Exposure exposed = exposure(request, image);
-  settings.white_cd_m2 = exposed.white_cd_m2;
   settings.adoptedWhite = adoptedWhite(request, image);
+  const display::LuminanceStatistics statistics =
+      display::luminanceStatistics(image, display::rgbFromXyz(device, settings.adoptedWhite));
+  const display::Exposure exposed = exposure(request, statistics);
+  settings.white_cd_m2 = exposed.white_cd_m2;
   progress.progress("mapping to the device", 0.4, "");
   const display::CodeImage codes = display::mapToDevice(image, device, settings);
   progress.progress("writing the picture", 0.6, "");
@@ -125,7 +127,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   Value brightness;
   brightness.set("method", exposed.method);
   brightness.set("white_cd_m2", exposed.white_cd_m2);
-  brightness.set("log_average_cd_m2", display::logAverageLuminance(image));
+  brightness.set("log_average_cd_m2", statistics.logAverage_cd_m2);
   json.set("exposure", brightness);
   const auto& white = settings.adoptedWhite;
   json.set("adopted_white", white ? Value::arrayOf(std::vector<double>{white->x, white->y}) : Value());
@@ -143,8 +145,9 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   report.text += fmt::format("  too bright   {} pixels clipped\n", share(codes.clipped, all));
   report.text += fmt::format("  too pure     {} pixels out of gamut, clipped\n", share(codes.outOfGamut, all));
   if (codes.invalid > 0) {
-    report.warnings.warning({input, 0, 0}, "invalid-pixels",
-                            fmt::format("{} pixels are not numbers and shown black", share(codes.invalid, all)));
+    report.warnings.warning(
+        {input, 0, 0}, "invalid-pixels",
+        fmt::format("{} pixels are not numbers (not rendered yet?) and shown black", share(codes.invalid, all)));
   }
   return report;
 }
@@ -174,7 +177,8 @@ Stage displayStage() {
       option("device", "the display", "srgb",
              fmt::format("a *.device.json file, or one of the presets {}", fmt::join(display::presetNames(), ", "))),
       option("exposure", "brightness", "auto",
-             "auto: the log-average luminance is shown as 18 % of white; auto+1, auto-1: stops brighter or darker; a "
+             "auto: the log-average luminance is shown as 18 % of white, or darker where that clips over 5 %; auto+1, "
+             "auto-1: stops brighter or darker; a "
              "number: EV at "
              "ISO 100"),
       option("white", "luminance shown as white, cd/m2", "", "instead of --exposure"),

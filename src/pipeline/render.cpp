@@ -11,6 +11,7 @@
 #include "image/xyz_image.h"
 #include "pipeline/stages.h"
 #include "project/results.h"
+#include "spectrum/colorimetry.h"
 #include "viewing/pixel_loop.h"
 
 namespace goniolux::pipeline {
@@ -28,6 +29,21 @@ const scene::View& findView(const project::Project& project, const std::string& 
       {project.file, 0, 0}, "unknown-view",
       names.empty() ? fmt::format("the project has no views; add one to \"views\"")
                     : fmt::format("there is no view \"{}\"; the project has: {}", name, fmt::join(names, ", ")));
+}
+
+/// The chromaticity of the light of all sources together, "x y": what an observer in the scene is adapted to.
+std::string adoptedWhite(const Engine& engine) {
+  double X = 0, Y = 0, Z = 0;
+  for (const scene::LightSource& source : engine.world.emitters) {
+    const double flux = source.emitter->flux();
+    for (const spectrum::Response& weight : engine.plan.quadrature.weights[source.spectrum]) {
+      X += flux * weight[0];
+      Y += flux * weight[1];
+      Z += flux * weight[2];
+    }
+  }
+  const auto [x, y] = spectrum::chromaticity({X, Y, Z});
+  return fmt::format("{:.5f} {:.5f}", x, y);
 }
 
 StageReport render(const StageRequest& request, core::ProgressSink& progress) {
@@ -85,6 +101,7 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
   attributes["seed"] = std::to_string(settings.seed);
   attributes["solver"] = engine.plan.solver;
   attributes["spectralSampling"] = engine.plan.quadrature.scheme;
+  attributes[image::adoptedWhiteAttribute] = adoptedWhite(engine);
   attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
                                             100 * settings.accuracy.image, 100 * settings.accuracy.confidence);
   attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);
