@@ -138,7 +138,15 @@ AngleAxis::Place AngleAxis::find(double degrees) const {
   const double offset = degrees - first();
   if (!(offset > 0) || firstInterval_.empty()) return {0, 0.0};
   if (degrees >= last()) return {degrees_.size() - 2, 1.0};
-  std::size_t i = firstInterval_[static_cast<std::size_t>(offset * binsPerDegree_)];
+  const std::size_t bin = std::min(static_cast<std::size_t>(offset * binsPerDegree_), firstInterval_.size() - 2);
+  std::size_t i = firstInterval_[bin];
+  if (const std::size_t end = firstInterval_[bin + 1]; end > i + 8) {  // many angles crowd in this bin
+    const auto begin = degrees_.begin();
+    i = static_cast<std::size_t>(std::upper_bound(begin + static_cast<std::ptrdiff_t>(i),
+                                                  begin + static_cast<std::ptrdiff_t>(end) + 1, degrees) -
+                                 begin);
+    i = i > 0 ? i - 1 : 0;
+  }
   while (i > 0 && degrees < degrees_[i]) --i;  // only where a bin's edge was rounded past an angle
   while (degrees >= degrees_[i + 1]) ++i;
   return {i, (degrees - degrees_[i]) * inverseSteps_[i]};

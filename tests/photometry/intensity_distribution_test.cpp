@@ -219,6 +219,16 @@ TEST(AngleAxis, FindsTheIntervalOfEveryAngle) {
   }
 }
 
+TEST(AngleAxis, AnglesThatCrowdAreFoundToo) {
+  std::vector<double> list{0};
+  for (int i = 0; i < 20000; ++i) list.push_back(90 + 1e-7 * i);
+  list.push_back(180);
+  const AngleAxis axis(list);
+  for (std::size_t i = 0; i + 1 < list.size(); ++i) EXPECT_EQ(axis.find(list[i]).index, i);
+  EXPECT_EQ(axis.find(45).index, 0u);
+  EXPECT_EQ(axis.find(135).index, list.size() - 2);
+}
+
 TEST(ArcTangent, AgreesWithTheStandardLibraryInEveryQuadrant) {
   std::mt19937 generator(3);
   std::normal_distribution<double> normal;
