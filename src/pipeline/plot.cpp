@@ -22,30 +22,6 @@ using project::Results;
 
 constexpr double timeLimit_s = 60;
 
-/// A sentence when the helper did not draw, "" when it did.
-std::string draw(const std::string& figure, const std::vector<std::string>& pictures) {
-  const std::string helper = findHelper("goniolux-plot", "GONIOLUX_PLOT");
-  if (helper.empty())
-    return "the program goniolux-plot is not installed beside this one; set GONIOLUX_PLOT to its path";
-  std::vector<std::string> arguments{figure};
-  arguments.insert(arguments.end(), pictures.begin(), pictures.end());
-  ProcessEnd end = runHelper(helper, arguments, timeLimit_s);
-  while (!end.errors.empty() && end.errors.back() == '\n') end.errors.pop_back();
-  const std::string said = end.errors.empty() ? "" : ": " + end.errors;
-  switch (end.how) {
-    case ProcessEnd::How::exited:
-      if (end.code == 0) return "";
-      return end.errors.empty() ? fmt::format("{} ended with code {}", helper, end.code) : end.errors;
-    case ProcessEnd::How::killed:
-      return fmt::format("{} was ended by signal {}{}", helper, end.code, said);
-    case ProcessEnd::How::timedOut:
-      return fmt::format("{} took longer than {:g} s{}", helper, timeLimit_s, said);
-    case ProcessEnd::How::notStarted:
-      break;
-  }
-  return fmt::format("{} could not be started{}", helper, said);
-}
-
 [[noreturn]] void badOption(const std::string& message) {
   throw core::InputError({}, "bad-option", message);
 }
@@ -148,6 +124,29 @@ core::Parameter textOption(const char* key, const char* title, const char* fallb
 
 }  // namespace
 
+std::string drawFigure(const std::string& figure, const std::vector<std::string>& pictures) {
+  const std::string helper = findHelper("goniolux-plot", "GONIOLUX_PLOT");
+  if (helper.empty())
+    return "the program goniolux-plot is not installed beside this one; set GONIOLUX_PLOT to its path";
+  std::vector<std::string> arguments{figure};
+  arguments.insert(arguments.end(), pictures.begin(), pictures.end());
+  ProcessEnd end = runHelper(helper, arguments, timeLimit_s);
+  while (!end.errors.empty() && end.errors.back() == '\n') end.errors.pop_back();
+  const std::string said = end.errors.empty() ? "" : ": " + end.errors;
+  switch (end.how) {
+    case ProcessEnd::How::exited:
+      if (end.code == 0) return "";
+      return end.errors.empty() ? fmt::format("{} ended with code {}", helper, end.code) : end.errors;
+    case ProcessEnd::How::killed:
+      return fmt::format("{} was ended by signal {}{}", helper, end.code, said);
+    case ProcessEnd::How::timedOut:
+      return fmt::format("{} took longer than {:g} s{}", helper, timeLimit_s, said);
+    case ProcessEnd::How::notStarted:
+      break;
+  }
+  return fmt::format("{} could not be started{}", helper, said);
+}
+
 std::optional<Outline> outlineFor(const Results& results, const std::string& folder, core::Diagnostics& warnings) {
   const std::string file = (fs::path(folder) / outlineFileName).string();
   std::error_code ignored;
@@ -192,7 +191,7 @@ PlotOutcome drawPlots(const Results& results, const Outline* outline, const Plot
       pictures.push_back(base + "." + format);
       fs::remove(pictures.back(), error);  // an earlier picture must not pass for this one
     }
-    if (const std::string trouble = draw(figure, pictures); !trouble.empty()) {
+    if (const std::string trouble = drawFigure(figure, pictures); !trouble.empty()) {
       outcome.warnings.warning(
           {}, "cannot-draw",
           fmt::format("drawing is not possible here: {}; the numbers are in the .csv and .vtp files", trouble));

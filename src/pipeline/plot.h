@@ -29,6 +29,9 @@ struct PlotOutcome {
 /// disk says no.
 PlotOutcome drawPlots(const project::Results& results, const Outline* outline, const PlotRequest& request);
 
+/// Has the helper program draw a figure's file as each of the pictures. A sentence why when it did not, "" when it did.
+std::string drawFigure(const std::string& figure, const std::vector<std::string>& pictures);
+
 /// The outline beside the results, if there is one that belongs to them; `warnings` says why not.
 std::optional<Outline> outlineFor(const project::Results& results, const std::string& folder,
                                   core::Diagnostics& warnings);

@@ -124,6 +124,17 @@ void readValues(const Value& document, PlanMap& map) {
 
 }  // namespace
 
+std::string figureKind(const core::Value& document) {
+  if (!document.isObject()) bad(document, "a figure is an object with \"format\": \"goniolux-figure\"");
+  if (text(document, "format") != "goniolux-figure") bad(member(document, "format"), "this is no figure");
+  wholeNumber(document, "version", 1, 1);
+  std::string kind = text(document, "kind");
+  if (kind != "plan-map" && kind != "polar-diagram") {
+    bad(member(document, "kind"), "there is no such kind of figure; there are plan-map and polar-diagram");
+  }
+  return kind;
+}
+
 core::Value toJson(const PlanMap& map) {
   Value json;
   json.set("format", "goniolux-figure");
@@ -170,11 +181,7 @@ core::Value toJson(const PlanMap& map) {
 }
 
 PlanMap planMapFromJson(const core::Value& document) {
-  if (!document.isObject()) bad(document, "a figure is an object with \"format\": \"goniolux-figure\"");
-  if (text(document, "format") != "goniolux-figure") bad(member(document, "format"), "this is no figure");
-  wholeNumber(document, "version", 1, 1);
-  if (text(document, "kind") != "plan-map") bad(member(document, "kind"), "the only kind of figure is plan-map");
-
+  if (figureKind(document) != "plan-map") bad(member(document, "kind"), "a plan-map is expected");
   PlanMap map;
   map.title = text(document, "title");
   map.subtitle = text(document, "subtitle");

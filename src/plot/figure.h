@@ -50,6 +50,10 @@ struct PlanMap {
   std::vector<MapLuminaire> luminaires;
 };
 
+/// The kind of a figure: "plan-map" or "polar-diagram". Throws core::InputError if the document is no figure of this
+/// version.
+std::string figureKind(const core::Value& document);
+
 core::Value toJson(const PlanMap& map);
 /// Throws core::InputError with positions on anything that cannot be drawn.
 PlanMap planMapFromJson(const core::Value& document);

@@ -6,10 +6,12 @@
 #include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkRect.h>
+#include <vtkSmartPointer.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -69,6 +71,34 @@ std::array<int, 4> bounds(const std::string& words, const TextStyle& style) {
   return box;
 }
 
+struct Letters {
+  vtkSmartPointer<vtkImageData> image;  ///< RGBA, one empty pixel around; null if nothing is to be seen
+  core::Vec2 offset{0};                 ///< of its lower left corner from the text's anchor
+};
+
+Letters lettersOf(const std::string& words, vtkTextProperty* property) {
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  renderer->SetScaleToPowerOfTwo(false);
+  std::array<int, 4> box{0, 0, 0, 0};
+  std::array<int, 2> size{0, 0};
+  vtkNew<vtkImageData> tight;
+  if (!renderer->GetBoundingBox(property, vtkStdString(words), box.data(), dpi)) return {};
+  if (!renderer->RenderString(property, vtkStdString(words), tight, size.data(), dpi)) return {};
+  const int width = tight->GetDimensions()[0], height = tight->GetDimensions()[1];
+  if (tight->GetScalarType() != VTK_UNSIGNED_CHAR || tight->GetNumberOfScalarComponents() != 4) return {};
+  Letters letters{vtkSmartPointer<vtkImageData>::New(), core::Vec2(box[0] - 1, box[2] - 1)};
+  letters.image->SetDimensions(width + 2, height + 2, 1);
+  letters.image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const auto* from = static_cast<const unsigned char*>(tight->GetScalarPointer());
+  auto* to = static_cast<unsigned char*>(letters.image->GetScalarPointer());
+  std::fill_n(to, std::ptrdiff_t{4} * (width + 2) * (height + 2), static_cast<unsigned char>(0));
+  for (int row = 0; row < height; ++row) {
+    std::copy_n(from + std::ptrdiff_t{4} * width * row, std::ptrdiff_t{4} * width,
+                to + std::ptrdiff_t{4} * ((width + 2) * (row + 1) + 1));
+  }
+  return letters;
+}
+
 std::vector<float> flatten(const Polyline& points) {
   std::vector<float> flat;
   flat.reserve(2 * points.size());
@@ -84,6 +114,11 @@ std::vector<float> flatten(const Polyline& points) {
 core::Vec2 textSize(const std::string& words, const TextStyle& style) {
   const std::array<int, 4> line = bounds(words, style), capital = bounds("0", style);
   return {line[1] - line[0] + 1.0, capital[3] - capital[2] + 1.0};
+}
+
+TextStyle fitting(const std::string& words, TextStyle style, double width) {
+  while (style.size > 10 && textSize(words, style).x > width) --style.size;
+  return style;
 }
 
 void ContextInk::line(const Polyline& points, const Rgb& colour, double width, int opacity) {
@@ -115,8 +150,15 @@ void ContextInk::text(const std::string& words, const core::Vec2& at, const Text
   const double down = (capital[2] + capital[3]) / 2.0 - box[2];
   const core::Vec2 along(std::cos(style.angle), std::sin(style.angle)), up(-along.y, along.x);
   const core::Vec2 start = at - along * back - up * down;
-  apply(style, context_.GetTextProp());
-  context_.DrawString(static_cast<float>(start.x), static_cast<float>(start.y), vtkStdString(words));
+  // Drawn as a picture with an empty rim on whole pixels: DrawString shows the upper edge of some words again below
+  // them.
+  vtkNew<vtkTextProperty> property;
+  apply(style, property);
+  const Letters letters = lettersOf(words, property);
+  if (letters.image == nullptr) return;
+  const core::Vec2 low = glm::round(start + letters.offset);
+  const int* pixels = letters.image->GetDimensions();
+  image(low, low + core::Vec2(pixels[0], pixels[1]), letters.image);
 }
 
 void ContextInk::image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) {

@@ -28,6 +28,9 @@ struct TextStyle {
 /// Width of the words and height of a figure, pixels.
 core::Vec2 textSize(const std::string& words, const TextStyle& style);
 
+/// The style, smaller where the words would be wider than `width` (not below 10 pixels).
+TextStyle fitting(const std::string& words, TextStyle style, double width);
+
 class Ink {
  public:
   virtual ~Ink() = default;

@@ -40,7 +40,7 @@ int run(const std::vector<std::string>& arguments) {
   core::Diagnostics diagnostics;
   const core::Value document = core::parseJson(core::readFile(arguments[0]), arguments[0], diagnostics);
   if (diagnostics.hasErrors()) throw core::InputError(diagnostics);
-  plot::drawPlanMap(plot::planMapFromJson(document), files);
+  plot::drawFigure(document, files);
   return 0;
 }
 

@@ -14,12 +14,6 @@ namespace {
 using core::Vec2;
 using Align = TextStyle::Align;
 
-/// The style, smaller where the words would not fit (not below 10 pixels).
-TextStyle fitting(const std::string& words, TextStyle style, double width) {
-  while (style.size > 10 && textSize(words, style).x > width) --style.size;
-  return style;
-}
-
 bool anyExcluded(const PlanMap& map) {
   return std::any_of(map.values.begin(), map.values.end(), [](double value) { return std::isnan(value); });
 }

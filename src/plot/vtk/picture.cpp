@@ -8,33 +8,41 @@
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <algorithm>
+#include <functional>
 
 #include "core/document.h"
 #include "plot/vtk/offscreen_window.h"
 #include "plot/vtk/plan_map_painter.h"
+#include "plot/vtk/polar_painter.h"
 
 namespace goniolux::plot {
 namespace {
 
-/// Lets the painter draw when VTK draws its scene.
+/// What is drawn, and how large (pixels).
+struct Page {
+  int width = 0, height = 0;
+  std::string title, description;
+  std::function<void(Ink&)> paint;
+};
+
+/// Lets the page be painted when VTK draws its scene.
 class PainterItem final : public vtkContextItem {
  public:
   vtkTypeMacro(PainterItem, vtkContextItem);
   static PainterItem* New();
-  const PlanMapPainter* painter = nullptr;
+  const Page* page = nullptr;
   bool Paint(vtkContext2D* context) override {
     ContextInk ink(*context);
-    painter->paint(ink);
+    page->paint(ink);
     return true;
   }
 };
 vtkStandardNewMacro(PainterItem);
 
-std::string drawPng(const PlanMapPainter& painter, const MapLayout& layout) {
-  OffscreenWindow offscreen(layout.width, layout.height);
+std::string drawPng(const Page& page) {
+  OffscreenWindow offscreen(page.width, page.height);
   vtkNew<PainterItem> item;
-  item->painter = &painter;
+  item->page = &page;
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(item);
   vtkNew<vtkRenderer> renderer;
@@ -53,27 +61,40 @@ std::string drawPng(const PlanMapPainter& painter, const MapLayout& layout) {
   return bytes;
 }
 
-std::string drawSvg(const PlanMap& map, const PlanMapPainter& painter, const MapLayout& layout) {
-  SvgInk ink(layout.width, layout.height, map.title, map.subtitle);
-  painter.paint(ink);
+std::string drawSvg(const Page& page) {
+  SvgInk ink(page.width, page.height, page.title, page.description);
+  page.paint(ink);
   return ink.document();
 }
 
-}  // namespace
-
-void drawPlanMap(const PlanMap& map, const std::vector<std::string>& files) {
-  const MapLayout layout = layoutOf(map);
-  const PlanMapPainter painter(map, layout);
+void drawPage(const Page& page, const std::vector<std::string>& files) {
   // SVG first: it needs no OpenGL, so that at least it is there when that fails.
   for (const std::string& file : files) {
-    if (file.ends_with(".svg")) core::writeFile(file, drawSvg(map, painter, layout));
+    if (file.ends_with(".svg")) core::writeFile(file, drawSvg(page));
   }
   std::string png;
   for (const std::string& file : files) {
     if (file.ends_with(".svg")) continue;
-    if (png.empty()) png = drawPng(painter, layout);
+    if (png.empty()) png = drawPng(page);
     core::writeFile(file, png);
   }
+}
+
+}  // namespace
+
+void drawFigure(const core::Value& document, const std::vector<std::string>& files) {
+  if (figureKind(document) == "polar-diagram") {
+    const PolarDiagram diagram = polarDiagramFromJson(document);
+    const PolarPainter painter(diagram);
+    drawPage(
+        {painter.width(), painter.height(), diagram.title, diagram.subtitle, [&](Ink& ink) { painter.paint(ink); }},
+        files);
+    return;
+  }
+  const PlanMap map = planMapFromJson(document);
+  const MapLayout layout = layoutOf(map);
+  const PlanMapPainter painter(map, layout);
+  drawPage({layout.width, layout.height, map.title, map.subtitle, [&](Ink& ink) { painter.paint(ink); }}, files);
 }
 
 }  // namespace goniolux::plot

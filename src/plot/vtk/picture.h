@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "plot/figure.h"
+#include "core/document.h"
 
 namespace goniolux::plot {
 
-/// Draws the map into each of the files; their endings (.png, .svg) say how. Throws CannotDraw where there is no
-/// OpenGL, and core::RunError where a file cannot be written.
-void drawPlanMap(const PlanMap& map, const std::vector<std::string>& files);
+/// Draws the figure that the document describes into each of the files; their endings (.png, .svg) say how. Throws
+/// core::InputError on a document that is no figure, CannotDraw where there is no OpenGL, core::RunError where a file
+/// cannot be written.
+void drawFigure(const core::Value& document, const std::vector<std::string>& files);
 
 }  // namespace goniolux::plot

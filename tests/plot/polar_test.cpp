@@ -1,0 +1,76 @@
+#include "pipeline/polar.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/temporary_folder.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+photometry::PhotometricFile sample(const std::vector<double>& horizontal) {
+  std::vector<double> vertical, candelas;
+  for (int v = 0; v <= 90; v += 5) vertical.push_back(v);
+  for (const double h : horizontal) {
+    for (const double v : vertical) candelas.push_back(1000 * std::cos(v * core::degree) * (1 + h / 180));
+  }
+  photometry::PhotometricFile file;
+  file.file = "folder/panel <1>.ies";
+  file.format = "LM-63-2002";
+  file.symmetry = horizontal.size() == 1 ? "rotational" : "quadrant";
+  file.distribution = std::make_shared<photometry::TabulatedDistribution>(photometry::PhotometryType::c, horizontal,
+                                                                          vertical, candelas);
+  return file;
+}
+
+double at(const plot::PolarCurve& curve, double degrees) {
+  for (const auto& [angle, value] : curve.points) {
+    if (angle == degrees) return value;
+  }
+  return -1;
+}
+
+TEST(PolarDiagram, HasTheFilesIntensitiesAtItsAngles) {
+  const plot::PolarDiagram diagram = polarDiagramOf(sample({0, 90}));
+  ASSERT_EQ(diagram.curves.size(), 2U);
+  for (const double gamma : {5.0, 30.0, -30.0, 85.0}) {
+    EXPECT_NEAR(at(diagram.curves[0], gamma), 1000 * std::cos(gamma * core::degree), 1e-6) << gamma;
+    EXPECT_NEAR(at(diagram.curves[1], gamma), 1500 * std::cos(gamma * core::degree), 1e-6) << gamma;
+  }
+  EXPECT_EQ(at(diagram.curves[0], 120), 0);
+}
+
+TEST(PolarDiagram, HasOneCurveWhereAllPlanesAreAlike) {
+  EXPECT_EQ(polarDiagramOf(sample({0})).curves.size(), 1U);
+}
+
+TEST(PolarDiagram, IsDrawnAndReadBack) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"polar.svg", "polar.png"}) {
+    core::Diagnostics warnings;
+    EXPECT_TRUE(drawPolarDiagram(sample({0, 90}), (folder.path() / name).string(), warnings));
+    EXPECT_TRUE(warnings.all().empty());
+    EXPECT_GT(std::filesystem::file_size(folder.path() / name), 5000U);
+  }
+  const std::string svg = test::contentOf(folder.path() / "polar.svg");
+  for (const char* words : {">90°</text>", ">0°</text>", ">1500</text>", "panel &lt;1&gt;.ies", "C90 (right) – C270"}) {
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  }
+  const std::string text = core::toJson(plot::toJson(polarDiagramOf(sample({0, 90}))));
+  core::Diagnostics diagnostics;
+  EXPECT_EQ(core::toJson(plot::toJson(plot::polarDiagramFromJson(core::parseJson(text, "f", diagnostics)))), text);
+}
+
+TEST(PolarDiagram, SaysWhenItCannotBeDrawnAndRefusesOtherEndings) {
+  const test::TemporaryFolder folder;
+  setenv("GONIOLUX_PLOT", "/nonexistent", 1);
+  core::Diagnostics warnings;
+  EXPECT_FALSE(drawPolarDiagram(sample({0}), (folder.path() / "polar.png").string(), warnings));
+  unsetenv("GONIOLUX_PLOT");
+  ASSERT_EQ(warnings.all().size(), 1U);
+  EXPECT_THROW(drawPolarDiagram(sample({0}), (folder.path() / "polar.jpg").string(), warnings), core::InputError);
+}
+
+}  // namespace
+}  // namespace goniolux::pipeline
