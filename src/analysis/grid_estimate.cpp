@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::uint32_t pilotSamples = 8;
 constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
-constexpr double largestGrowth = 8;              // of a point's samples from one round to the next
+constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
+constexpr double largestGrowth = 8;              // from then on
 constexpr int mostRounds = 12;
 constexpr double shareAsked = 0.95;
 
@@ -101,7 +102,7 @@ class GridRun {
            (e.u0.value <= 0.1 || e.u0.halfWidth() <= accuracy_.uniformity * e.u0.value);
   }
 
-  /// Sets the samples that the points need for the accuracy asked for; returns the points whose number grew.
+  /// Sets the samples that points need for the accuracy asked for; returns the points to estimate anew.
   std::vector<std::size_t> refine(const GridEstimate& e) {
     const std::size_t n = receivers_.size();
     // Spread per sample, each point's own steadied by that of all (relative): 15 degrees of freedom scatter.
@@ -112,12 +113,17 @@ class GridRun {
       need[i] = ratio * ratio * samples_[i];
       pooled += need[i] / static_cast<double>(n);
     }
+    // After the pilot every point is estimated; after that only those that are not yet good enough are estimated anew,
+    // or all of them when it is the mean that is not.
+    const bool all = round_ == 1 || e.mean.halfWidth() > allowed(e, e.mean.value);
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < n; ++i) {
+      if (!all && halfWidth(e, i) <= allowed(e, e.values[i])) continue;
       const double steadied = 0.75 * need[i] + 0.25 * std::min(pooled, 4 * need[i]);
-      const double wanted = std::min(steadied * margin_ * margin_, largestGrowth * samples_[i]);
+      const double growth = round_ == 1 ? largestFirstGrowth : largestGrowth;
+      const double wanted = std::min(steadied * margin_ * margin_, growth * samples_[i]);
+      samples_[i] = netSize(std::max(wanted, round_ == 1 ? 1.0 : 1.25 * samples_[i]));
       points.push_back(i);
-      samples_[i] = netSize(std::max(wanted, round_ == 1 ? 1.0 : static_cast<double>(samples_[i])));
     }
     return points;
   }

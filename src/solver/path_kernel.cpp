@@ -274,7 +274,7 @@ void PathSolver<W>::follow(Response& sum, Vec3 origin, Vec3 direction, Spectral 
                            core::Sampler& random, std::uint64_t& rays) const {
   // Mirrors met since the last point that was connected to the lights, and whether image lights have found what they
   // show.
-  int mirrors = 0;
+  int mirrors = 0, reflections = 0;
   bool byImages = true, connectedBefore = !fromCamera, firstVertex = fromCamera;
   for (;;) {
     tracer::Hit hit;
@@ -308,7 +308,7 @@ void PathSolver<W>::follow(Response& sum, Vec3 origin, Vec3 direction, Spectral 
     if (!bsdf.sample(out, random.next2(), next, weight.v.data())) return;
     // Russian roulette on this reflection's largest weight: throughput stays near 1, long paths end as light is
     // absorbed.
-    const float survive = std::min(1.0f, weight.largest());
+    const float survive = ++reflections == 1 ? 1.0f : std::min(1.0f, weight.largest());
     if (survive <= 0 || random.next() >= static_cast<double>(survive)) return;
     throughput *= weight;
     throughput *= 1 / survive;
