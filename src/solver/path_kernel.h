@@ -42,8 +42,8 @@ class PathSolver final : public Solver {
   [[nodiscard]] std::unique_ptr<ReceiverPlan> plan(const Receiver& receiver, std::uint64_t key) const override;
   [[nodiscard]] Response illuminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
                                      std::uint32_t samples) const override;
-  [[nodiscard]] Response radiance(const core::Vec3& origin, const core::Vec3& direction,
-                                  core::Sampler& random) const override;
+  [[nodiscard]] Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
+                                  std::uint32_t sample) const override;
   [[nodiscard]] std::vector<std::string> leftOut() const override;
 
  private:
@@ -77,9 +77,11 @@ class PathSolver final : public Solver {
   void addDirect(Response& sum, const Vertex& at, const reflection::Bsdf& bsdf, const Vec3& out,
                  const core::Frame& frame, const Spectral& throughput, bool everyLight, core::Sampler& random,
                  std::uint64_t& rays) const;
-  /// The rest of a path: everything that arrives along the ray. `fromCamera`: emitters that the ray hits count.
-  void follow(Response& sum, Vec3 origin, Vec3 direction, Spectral throughput, bool fromCamera, core::Sampler& random,
+  /// Everything that arrives along a ray that left a point whose direct light is counted already.
+  void follow(Response& sum, Vec3 origin, Vec3 direction, Spectral throughput, core::Sampler& random,
               std::uint64_t& rays) const;
+  /// The hit as a point to shade, on the side that the ray came from.
+  [[nodiscard]] Vertex vertexAt(const tracer::Hit& hit, const Vec3& direction) const;
   [[nodiscard]] double emittedLuminance(const tracer::Hit& hit, const Vec3& towards, std::uint32_t& spectrum) const;
 
   const scene::World& world_;

@@ -42,9 +42,10 @@ class Solver {
   /// One unbiased estimate of the illuminance from `samples` light paths.
   [[nodiscard]] virtual Response illuminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
                                              std::uint32_t samples) const = 0;
-  /// One unbiased estimate of the luminance (and X, Z) that arrives at `origin` from `direction`.
-  [[nodiscard]] virtual Response radiance(const core::Vec3& origin, const core::Vec3& direction,
-                                          core::Sampler& random) const = 0;
+  /// One unbiased estimate of the luminance (and X, Z) that arrives at `origin` from `direction`. Estimates with the
+  /// same key and samples 0, 1, 2 … are spread evenly over light paths; their mean is one replicate.
+  [[nodiscard]] virtual Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
+                                          std::uint32_t sample) const = 0;
 
   /// What this solver leaves out in this world, as sentences; empty: nothing.
   [[nodiscard]] virtual std::vector<std::string> leftOut() const { return {}; }

@@ -114,11 +114,11 @@ class PixelLoop {
     const std::uint64_t pixelKey = core::combine(key_, i);
     for (std::size_t r = 0; r < replicates; ++r)
       for (std::uint32_t s = done_[i]; s < wanted_[i]; ++s) {
-        core::Sampler random(core::combine(pixelKey, r), s);
-        const core::Vec2 place = random.next2();
+        const std::uint64_t key = core::combine(pixelKey, r);
+        const core::Vec2 place = core::Sampler(key, s).next2();
         const scene::ViewRay ray = scene::rayThrough(view_, x + place.x, y + place.y);
         if (!ray.inside) continue;
-        const solver::Response seen = solver_.radiance(ray.origin - worldOrigin_, ray.direction, random);
+        const solver::Response seen = solver_.radiance(ray.origin - worldOrigin_, ray.direction, key, s);
         colour_[i].x += static_cast<float>(seen[0]);
         luminance_[i][r] += static_cast<float>(seen[1]);
         colour_[i].z += static_cast<float>(seen[2]);
