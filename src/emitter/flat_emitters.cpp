@@ -159,14 +159,24 @@ class TriangleEmitter final : public Emitter {
   }
 
   [[nodiscard]] IncidentLight sample(const Vec3& point, const Vec2& u) const override {
-    const double root = std::sqrt(u.x);
-    const Vec3 element = corners_[0] * (1 - root) + corners_[1] * (root * (1 - u.y)) + corners_[2] * (root * u.y);
-    const Vec3 toElement = element - point;
-    const double squared = glm::dot(toElement, toElement);
-    if (squared == 0) return {};
-    const double distance = std::sqrt(squared);
-    const Vec3 direction = toElement / distance;
-    return {direction, distance, luminance_ * std::abs(glm::dot(direction, normal_)) * area_ / squared};
+    const Vec3 toCenter = center_ - point;
+    const double height = std::abs(glm::dot(corners_[0] - point, normal_));
+    if (height <= 1e-12 * radius_) return {};
+    const double far = 2 * nearLengths * radius_;
+    if (glm::dot(toCenter, toCenter) > far * far) {
+      const double root = std::sqrt(u.x);
+      const Vec3 element = corners_[0] * (1 - root) + corners_[1] * (root * (1 - u.y)) + corners_[2] * (root * u.y);
+      const Vec3 toElement = element - point;
+      const double squared = glm::dot(toElement, toElement), distance = std::sqrt(squared);
+      const Vec3 direction = toElement / distance;
+      return {direction, distance, luminance_ * std::abs(glm::dot(direction, normal_)) * area_ / squared};
+    }
+    // Near: uniform over the solid angle.
+    double solidAngle = 0;
+    const Vec3 direction = sphericalTriangle(point, u, solidAngle);
+    const double cosine = std::abs(glm::dot(direction, normal_));
+    if (!(solidAngle > 0) || cosine <= 0) return {};
+    return {direction, height / cosine, luminance_ * solidAngle};
   }
   [[nodiscard]] Illuminance illuminance(const Vec3& point, const Vec3& normal, double) const override {
     return {luminance_ * polygonFactor(corners_, point, normal), 0};
@@ -185,6 +195,32 @@ class TriangleEmitter final : public Emitter {
   [[nodiscard]] bool hasClosedForm() const override { return true; }
 
  private:
+  // J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995.
+  [[nodiscard]] Vec3 sphericalTriangle(const Vec3& point, const Vec2& u, double& solidAngle) const {
+    const Vec3 a = glm::normalize(corners_[0] - point), b = glm::normalize(corners_[1] - point),
+               c = glm::normalize(corners_[2] - point);
+    const auto unit = [](const Vec3& v) {
+      const double length = glm::length(v);
+      return length > 0 ? v / length : Vec3(0);
+    };
+    const Vec3 ab = unit(glm::cross(a, b)), bc = unit(glm::cross(b, c)), ca = unit(glm::cross(c, a));
+    const auto dihedral = [](const Vec3& p, const Vec3& q) {
+      return std::acos(std::clamp(-glm::dot(p, q), -1.0, 1.0));
+    };
+    const double alpha = dihedral(ca, ab), beta = dihedral(ab, bc), gamma = dihedral(bc, ca);
+    solidAngle = alpha + beta + gamma - core::pi;
+    if (!(solidAngle > 0)) return a;
+    const double part = u.x * solidAngle, s = std::sin(part - alpha), t = std::cos(part - alpha);
+    const double sinAlpha = std::sin(alpha), cosAlpha = std::cos(alpha), cosSide = glm::dot(a, b);
+    const double p = t - cosAlpha, q = s + sinAlpha * cosSide;
+    const double denominator = (q * s + p * t) * sinAlpha;
+    const double cosine =
+        std::clamp(denominator != 0 ? ((q * t - p * s) * cosAlpha - q) / denominator : 1.0, -1.0, 1.0);
+    const Vec3 corner = a * cosine + unit(c - a * glm::dot(c, a)) * std::sqrt(1 - cosine * cosine);
+    const double z = 1 - u.y * (1 - glm::dot(corner, b));
+    return b * z + unit(corner - b * glm::dot(corner, b)) * std::sqrt(std::max(0.0, 1 - z * z));
+  }
+
   std::array<Vec3, 3> corners_;
   Vec3 normal_, center_;
   double luminance_, area_ = 0, radius_ = 0;

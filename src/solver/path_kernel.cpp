@@ -8,8 +8,9 @@ namespace {
 
 // With this many lights or fewer, a vertex that the camera sees is connected to each of them.
 constexpr std::size_t fewLights = 8;
-// Pilot samples of a light's visibility; the second number where they disagree.
-constexpr std::uint32_t pilotRays = 8, pilotRaysWhereMixed = 32;
+// Shadow rays of a receiver's pilot, over all lights: a light that is blocked by less than these can see spoils at most
+// a few tenths of a percent.
+constexpr double pilotRays = 512;
 constexpr std::uint32_t pilotPaths = 16;
 constexpr double quadratureTolerance = 1e-4;
 // Indirect paths per sample of a pixel.
@@ -142,43 +143,58 @@ Response PathSolver<W>::connectOnce(const LightPlan& plan, const Vertex& at, con
 }
 
 template <int W>
+void PathSolver<W>::studyVisibility(LightPlan& entry, const Vertex& at, std::uint64_t key, std::uint64_t& rays) const {
+  const Light& light = lights_->lights()[entry.light];
+  const Unfolded seen = lights_->unfold(light, at.point, at.normal);
+  double sum = 0, visibleSum = 0, squares = 0, visibleSquares = 0;
+  for (std::uint32_t i = 0; i < entry.pilot; ++i) {
+    core::Sampler random(core::combine(core::combine(key, lightStream), entry.light), i);
+    const emitter::IncidentLight incident = light.emitter->sample(seen.point, random.next2());
+    const double value =
+        std::max(0.0, incident.normalIlluminance) * std::max(0.0, glm::dot(incident.direction, seen.normal));
+    sum += value;
+    squares += value * value;
+    Spectral filter = Spectral::filled(1);
+    if (value > 0 && connected(light, at, incident.direction, incident.distance, filter, rays)) {
+      visibleSum += value;
+      visibleSquares += value * value;
+    }
+  }
+  const double n = entry.pilot;
+  entry.fromExact = visibleSum >= 0.5 * sum && sum > 0;
+  const double mean = (entry.fromExact ? sum - visibleSum : visibleSum) / n;
+  entry.sigma =
+      std::sqrt(std::max(0.0, (entry.fromExact ? squares - visibleSquares : visibleSquares) / n - mean * mean));
+}
+
+template <int W>
 std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std::uint64_t key) const {
   auto plan = std::make_unique<Plan>();
   const Vertex at{receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
   std::uint64_t rays = 0;
+
+  std::vector<emitter::Illuminance> unoccluded;
+  double total = 0;
   for (std::uint32_t i = 0; i < lights_->lights().size(); ++i) {
     const Light& light = lights_->lights()[i];
     const Unfolded seen = lights_->unfold(light, receiver.point, receiver.normal);
     if (light.emitter->importance(seen.point, seen.normal) == 0) continue;
-    const emitter::Illuminance unoccluded = light.emitter->illuminance(seen.point, seen.normal, quadratureTolerance);
-    if (unoccluded.value == 0 && unoccluded.bound == 0) continue;
-
-    LightPlan entry{i, false, 0};
-    std::uint32_t used = 0;
-    double visibleSum = 0, sum = 0, visibleSquares = 0, lostSquares = 0;
-    for (std::uint32_t target = pilotRays; used < target; ++used) {
-      core::Sampler random(core::combine(core::combine(key, lightStream), i), used);
-      const emitter::IncidentLight incident = light.emitter->sample(seen.point, random.next2());
-      const double cosine = glm::dot(incident.direction, seen.normal);
-      const double value = incident.normalIlluminance > 0 ? incident.normalIlluminance * std::max(0.0, cosine) : 0;
-      Spectral filter = Spectral::filled(1);
-      const bool visible = value > 0 && connected(light, at, incident.direction, incident.distance, filter, rays);
-      sum += value;
-      if (visible) visibleSum += value;
-      (visible ? visibleSquares : lostSquares) += value * value;
-      if (visibleSquares > 0 && lostSquares > 0) target = pilotRaysWhereMixed;
-    }
-    const double n = used;
-    entry.fromExact = visibleSum >= 0.5 * sum && sum > 0;
-    const double squares = entry.fromExact ? lostSquares : visibleSquares;
-    const double mean = entry.fromExact ? (sum - visibleSum) / n : visibleSum / n;
-    entry.sigma = std::sqrt(std::max(0.0, squares / n - mean * mean));
-    if (entry.fromExact) {
-      const Response exact = exactResponse(light, unoccluded.value);
-      for (std::size_t c = 0; c < exact.size(); ++c) plan->exact[c] += exact[c];
-      plan->quadratureBound += unoccluded.bound;
-    }
-    plan->lights.push_back(entry);
+    const emitter::Illuminance e = light.emitter->illuminance(seen.point, seen.normal, quadratureTolerance);
+    if (e.value == 0 && e.bound == 0) continue;
+    plan->lights.push_back({i, false, 0, 0});
+    unoccluded.push_back(e);
+    total += e.value;
+  }
+  for (std::size_t i = 0; i < plan->lights.size(); ++i) {
+    LightPlan& entry = plan->lights[i];
+    // In proportion to what a light that was wrongly thought to be free could spoil.
+    const double share = total > 0 ? unoccluded[i].value / total : 0;
+    entry.pilot = static_cast<std::uint32_t>(std::clamp(std::ceil(pilotRays * share), 4.0, 256.0));
+    studyVisibility(entry, at, key, rays);
+    if (!entry.fromExact) continue;
+    const Response exact = exactResponse(lights_->lights()[entry.light], unoccluded[i].value);
+    for (std::size_t c = 0; c < exact.size(); ++c) plan->exact[c] += exact[c];
+    plan->quadratureBound += unoccluded[i].bound;
   }
 
   // Spread of single paths, for sharing effort between paths and shadow rays.
@@ -209,7 +225,9 @@ Response PathSolver<W>::illuminance(const Receiver& receiver, const ReceiverPlan
   for (const LightPlan& entry : plan.lights) {
     // Shadow rays in proportion to their spread; a path costs some six of them.
     const double share = plan.indirectSigma > 0 ? 2.5 * entry.sigma / plan.indirectSigma : entry.sigma > 0 ? 1.0 : 0.0;
-    const auto count = static_cast<std::uint32_t>(std::clamp(std::ceil(samples * share), 1.0, 16.0 * samples));
+    const double least = std::ceil(entry.pilot / 16.0);
+    const auto count =
+        static_cast<std::uint32_t>(std::max(least, std::min(std::ceil(samples * share), 16.0 * samples)));
     Response sum{};
     for (std::uint32_t i = 0; i < count; ++i) {
       core::Sampler random(core::combine(core::combine(key, lightStream), entry.light), i);

@@ -56,6 +56,7 @@ class PathSolver final : public Solver {
     bool fromExact;  ///< the estimate starts from the unoccluded value and takes away what is blocked; else it adds
                      ///< what is seen
     double sigma;    ///< standard deviation of one sample, lx
+    std::uint32_t pilot;  ///< shadow rays that found this out
   };
   struct Plan final : ReceiverPlan {
     Response exact{};  ///< deterministic part
@@ -72,6 +73,8 @@ class PathSolver final : public Solver {
   bool connected(const Light& light, const Vertex& from, const Vec3& unfoldedDirection, double distance,
                  Spectral& filter, std::uint64_t& rays) const;
   Response connectOnce(const LightPlan& plan, const Vertex& at, const core::Vec2& u, std::uint64_t& rays) const;
+  /// Shadow rays towards a light: what share of it is seen, and how its samples scatter.
+  void studyVisibility(LightPlan& entry, const Vertex& at, std::uint64_t key, std::uint64_t& rays) const;
   /// Unoccluded illuminance from a light with its mirrors' reflectances, as a response.
   Response exactResponse(const Light& light, double value) const;
   void addDirect(Response& sum, const Vertex& at, const reflection::Bsdf& bsdf, const Vec3& out,

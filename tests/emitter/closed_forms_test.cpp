@@ -79,6 +79,16 @@ TEST(RectangleEmitter, MeetsTheClosedFormOverTheWholeFloor) {
   }
 }
 
+TEST(TriangleEmitter, SamplesAgreeWithTheClosedFormNearAndFar) {
+  const auto triangle = makeTriangleEmitter({0, 0, 1}, {0.7, 0.1, 1.2}, {0.1, 0.5, 0.9}, 1000);
+  for (const Vec3& point :
+       {Vec3(0.2, 0.2, 0), Vec3(0.25, 0.2, 0.95), Vec3(3, -2, -6), Vec3(0.01, 0.01, 0.9), Vec3(0.3, 0.2, 2)})
+    for (const Vec3& normal : {up, Vec3(0.6, 0.8, 0), down}) {
+      const double exact = triangle->illuminance(point, normal, 0).value;
+      EXPECT_NEAR(sampled(*triangle, point, normal), exact, 3e-3 * exact + 0.2) << point.x << " " << point.z;
+    }
+}
+
 TEST(DiscEmitter, MeetsTheClosedFormNearAndFar) {
   // radius 0.5, L = 1000; E = (pi L/2)[1 - (r2+d2-a2)/s]
   Opening opening{.shape = Opening::Shape::disc, .diameter = 1.0};
