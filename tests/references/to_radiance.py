@@ -217,18 +217,22 @@ def interval(values, axis=0):
     return values.mean(axis=axis), T95[n] * values.std(axis=axis, ddof=1) / math.sqrt(n)
 
 
-def summary(calculation, grid, replicates, **options):
+def summary(calculation, grid, replicates, extremes=True, **options):
     """mean, min, max, u0 = min / mean with 95 % half-widths: replicates, and what the options leave out."""
     points, normals = grid["points"], grid["normals"]
+    # A grid of few points gets more samples at each: its mean is then about as sharp as that of a large one.
+    options["samples"] = int(options.get("samples", 64) * min(8, max(1, 600 / len(points))))
     first = calculation.illuminances(points, normals, replicates, 1, **options)
     mean, half_mean = interval(first.mean(axis=1))
     half_mean += SYSTEMATIC * mean
     result = [("mean", float(mean), float(half_mean), "lx")]
+    if not extremes:
+        return result
     # The extreme of noisy values lies too far out: candidates are calculated afresh, with more samples.
     order = first.mean(axis=0).argsort()
     for name, candidates, pick in (("min", order[:10], np.argmin), ("max", order[-10:], np.argmax)):
         again = calculation.illuminances(points[candidates], normals[candidates], 8, 5000,
-                                         **{**options, "samples": 8 * options.get("samples", 64)})
+                                         **{**options, "samples": 8 * options["samples"]})
         value, half = interval(again)
         k = pick(value)
         pooled = float(np.sqrt((half ** 2).mean()))  # of ten candidates: steadier than one point's own
@@ -247,6 +251,7 @@ def main():
     parser.add_argument("--bounces", type=int, default=12)
     parser.add_argument("--weight", type=float, default=1e-3)
     parser.add_argument("--mirrors", type=int, default=2, help="longest chain of mirrors between luminaire and surface")
+    parser.add_argument("--mean-only", action="store_true", help="no minimum, maximum and uniformity")
     parser.add_argument("--out", help="write the values as expected.json")
     arguments = parser.parse_args()
     values = []
@@ -255,7 +260,7 @@ def main():
         for grid in calculation.grids:
             for name, value, half, unit in summary(calculation, grid, arguments.replicates, bounces=arguments.bounces,
                                                    samples=arguments.samples, weight=arguments.weight,
-                                                   mirrors=arguments.mirrors):
+                                                   mirrors=arguments.mirrors, extremes=not arguments.mean_only):
                 print(f"{grid['name']:24s} {name:5s} {value:10.4f} +- {half:.4f} {unit}", flush=True)
                 values.append({"grid": grid["name"], "quantity": name, "value": float(f"{value:.5g}"),
                                "half_width": float(f"{half:.2g}"), "unit": unit})
