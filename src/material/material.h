@@ -18,9 +18,9 @@ struct Emission {
 
 struct Material {
   std::string name;
-  std::string model;                                           ///< a name of the reflection-model registry
+  std::string model;                                              ///< a name of the reflection-model registry
   std::map<std::string, spectrum::SpectralDistribution> spectra;  ///< by the model's parameter keys, e.g. "diffuse"
-  std::map<std::string, double> numbers;                       ///< e.g. "gloss"
+  std::map<std::string, double> numbers;                          ///< e.g. "gloss"
   std::optional<Emission> emission;
   core::SourcePosition position;
 };

@@ -81,12 +81,13 @@ TEST_P(ExpectedValues, AreMetWithinBothIntervals) {
   EXPECT_LE(beyond, std::max(1, compared / 10)) << "of " << compared << " values";
 }
 
-INSTANTIATE_TEST_SUITE_P(Projects, ExpectedValues, testing::ValuesIn(projectsWithExpectations()), [](const auto& parameter) {
-  std::string name = parameter.param;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Projects, ExpectedValues, testing::ValuesIn(projectsWithExpectations()),
+                         [](const auto& parameter) {
+                           std::string name = parameter.param;
+                           for (char& c : name)
+                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace goniolux
