@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "support/temporary_folder.h"
@@ -25,8 +27,18 @@ inline void expectGeneratedBlock(const std::filesystem::path& page, const std::s
     std::ofstream(page, std::ios::binary) << text.substr(0, from) + generated + text.substr(to);
     GTEST_SKIP() << "the part was written anew";
   }
-  EXPECT_EQ(text.substr(from, to - from), generated)
-      << "what " << page << " is written from has changed; write it anew: GONIOLUX_UPDATE_PAGES=1 script/test";
+  const std::string written = text.substr(from, to - from);
+  if (written == generated) return;
+  std::istringstream is(written), shouldBe(generated);
+  std::string line, expected;
+  int number = static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(from), '\n'));
+  do {
+    ++number;
+    line.clear();
+    expected.clear();
+  } while (std::getline(is, line) && std::getline(shouldBe, expected) && line == expected);
+  ADD_FAILURE() << page.string() << ':' << number << ": what this is written from has changed\n  is:        " << line
+                << "\n  should be: " << expected << "\nwrite it anew: GONIOLUX_UPDATE_PAGES=1 script/test";
 }
 
 }  // namespace goniolux::test
