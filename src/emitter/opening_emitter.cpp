@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "emitter/quadrature.h"
@@ -14,6 +15,26 @@ OpeningEmitter::OpeningEmitter(const Vec3& center, double boundingRadius, Output
     : center_(center), boundingRadius_(boundingRadius), output_(std::move(output)) {
   flux_ = output_.distribution ? output_.scale * output_.distribution->flux() : output_.flux_lm;
   peakIntensity_ = output_.distribution ? output_.scale * output_.distribution->maximumIntensity() : flux_ / core::pi;
+  if (!output_.distribution) return;
+  constexpr int planes = 16;
+  constexpr auto last = static_cast<double>(std::tuple_size_v<decltype(rough_)> - 1);
+  for (std::size_t i = 0; i < rough_.size(); ++i) {
+    const double cosine = -1 + 2 * static_cast<double>(i) / last, sine = std::sqrt(1 - cosine * cosine);
+    for (int plane = 0; plane < planes; ++plane) {
+      const double angle = 2 * core::pi * plane / planes;
+      const Vec3 local(sine * std::cos(angle), sine * std::sin(angle), cosine);
+      rough_[i] = std::max(rough_[i], output_.scale * output_.distribution->intensity(local));
+    }
+  }
+}
+
+double OpeningEmitter::roughIntensity(const Vec3& direction) const {
+  if (!output_.distribution) return intensity(direction);
+  constexpr auto last = static_cast<double>(std::tuple_size_v<decltype(rough_)> - 1);
+  const double place = (glm::dot(direction, output_.frame.aim) + 1) * 0.5 * last;
+  const auto low = static_cast<std::size_t>(std::clamp(place, 0.0, last - 1));
+  const double t = std::clamp(place - static_cast<double>(low), 0.0, 1.0);
+  return rough_[low] + t * (rough_[low + 1] - rough_[low]);
 }
 
 void OpeningEmitter::setEmittingArea(double area) {
@@ -69,7 +90,7 @@ double OpeningEmitter::importance(const Vec3& point, const Vec3& normal) const {
   // A near opening is seen under many directions: its intensity towards the centre alone may be 0 where its edge still
   // shines.
   const double floor = 0.02 + 0.2 * std::min(1.0, spread * spread);
-  const double towards = distance > 0 ? intensity(-toCenter / distance) : peakIntensity_;
+  const double towards = distance > 0 ? roughIntensity(-toCenter / distance) : peakIntensity_;
   return (towards + floor * peakIntensity_) * facing / (reach * reach);
 }
 

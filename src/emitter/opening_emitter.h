@@ -3,6 +3,8 @@
 // elements.
 #pragma once
 
+#include <array>
+
 #include "emitter/emitter.h"
 
 namespace goniolux::emitter {
@@ -43,10 +45,14 @@ class OpeningEmitter : public Emitter {
   [[nodiscard]] IncidentLight fromElement(const core::Vec3& point, const core::Vec3& elementPoint,
                                           const core::Vec3& elementNormal, double pdf) const;
 
+  /// Largest intensity over C near an angle from the aim, from a coarse table: for choosing among emitters only.
+  [[nodiscard]] double roughIntensity(const core::Vec3& direction) const;
+
   core::Vec3 center_;
   double boundingRadius_, flux_, peakIntensity_;
   Output output_;
-  double uniformLuminance_ = 0;  ///< of openings without a distribution
+  double uniformLuminance_ = 0;     ///< of openings without a distribution
+  std::array<double, 33> rough_{};  ///< by the cosine of the angle from the aim, -1 to 1
 };
 
 std::unique_ptr<Emitter> makePointEmitter(const core::Vec3& center, const Output& output);

@@ -6,6 +6,9 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -17,6 +20,7 @@ namespace {
 constexpr std::size_t replicates = 16;
 constexpr double shareAsked = 0.95;
 constexpr int tile = 16;
+constexpr std::size_t fewestReplicates = 2;  // a picture without any interval is not worth keeping
 
 class PixelLoop {
  public:
@@ -29,20 +33,29 @@ class PixelLoop {
         accuracy_(accuracy),
         quantile_(core::studentQuantile(replicates - 1, accuracy.confidence)),
         count_(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)),
-        luminance_(count_),
-        colour_(count_),
-        done_(count_, 0),
+        sums_(count_),
+        done_(count_, 1),
         wanted_(count_, 1) {}
+
+  /// The first samples, one replicate of the whole picture after the other, so that an early end leaves a whole
+  /// picture.
+  void firstPass(const std::function<bool()>& goOn, core::ProgressSink& progress) {
+    for (std::size_t r = 0; r < replicates; ++r) {
+      forAllPixels(progress, [&](std::size_t i, int x, int y) { sampleReplicate(i, x, y, r, 0, 1); });
+      if (progress.cancelled()) return;
+      complete_ = r + 1;
+      progress.progress(view_.name, 0.3 * static_cast<double>(r + 1) / replicates, "first samples");
+      if (r + 1 >= fewestReplicates && !goOn()) return;
+    }
+  }
+  [[nodiscard]] bool firstPassIsComplete() const { return complete_ == replicates; }
 
   /// Takes every pixel to the samples per replicate that it should have. False when cancelled in the middle.
   bool pass(core::ProgressSink& progress) {
-    const int across = (view_.width + tile - 1) / tile, down = (view_.height + tile - 1) / tile;
-    core::parallelFor(static_cast<std::size_t>(across * down), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end && !progress.cancelled(); ++t) {
-        const int x0 = static_cast<int>(t) % across * tile, y0 = static_cast<int>(t) / across * tile;
-        for (int y = y0; y < std::min(y0 + tile, view_.height); ++y)
-          for (int x = x0; x < std::min(x0 + tile, view_.width); ++x) samplePixel(x, y);
-      }
+    forAllPixels(progress, [&](std::size_t i, int x, int y) {
+      for (std::size_t r = 0; r < replicates && done_[i] < wanted_[i]; ++r)
+        sampleReplicate(i, x, y, r, done_[i], wanted_[i]);
+      done_[i] = wanted_[i];
     });
     return !progress.cancelled();
   }
@@ -88,12 +101,12 @@ class PixelLoop {
     image.height = view_.height;
     image.x.resize(count_), image.y.resize(count_), image.z.resize(count_), image.halfWidth.resize(count_);
     for (std::size_t i = 0; i < count_; ++i) {
-      const double n = static_cast<double>(done_[i]) * static_cast<double>(replicates);
-      image.x[i] = static_cast<float>(colour_[i].x / n);
-      image.y[i] = static_cast<float>(value(i));
-      image.z[i] = static_cast<float>(colour_[i].z / n);
+      const Colour colour = mean(i);
+      image.x[i] = colour.x;
+      image.y[i] = colour.y;
+      image.z[i] = colour.z;
       image.halfWidth[i] = static_cast<float>(halfWidth(i));
-      e.samples += static_cast<std::uint64_t>(done_[i]) * replicates;
+      e.samples += static_cast<std::uint64_t>(done_[i]) * complete_;
     }
     e.shareWithin = shareWithin();
     e.reached = e.shareWithin >= shareAsked;
@@ -101,40 +114,54 @@ class PixelLoop {
   }
 
  private:
-  struct XZ {
-    float x = 0, z = 0;
+  struct Colour {
+    float x = 0, y = 0, z = 0;
   };
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
   }
 
-  void samplePixel(int x, int y) {
-    const std::size_t i = index(x, y);
-    const std::uint64_t pixelKey = core::combine(key_, i);
-    for (std::size_t r = 0; r < replicates; ++r)
-      for (std::uint32_t s = done_[i]; s < wanted_[i]; ++s) {
-        const std::uint64_t key = core::combine(pixelKey, r);
-        const core::Vec2 place = core::Sampler(key, s).next2();
-        const scene::ViewRay ray = scene::rayThrough(view_, x + place.x, y + place.y);
-        if (!ray.inside) continue;
-        const solver::Response seen = solver_.radiance(ray.origin - worldOrigin_, ray.direction, key, s);
-        colour_[i].x += static_cast<float>(seen[0]);
-        luminance_[i][r] += static_cast<float>(seen[1]);
-        colour_[i].z += static_cast<float>(seen[2]);
+  void forAllPixels(core::ProgressSink& progress, const std::function<void(std::size_t, int, int)>& work) {
+    const int across = (view_.width + tile - 1) / tile, down = (view_.height + tile - 1) / tile;
+    core::parallelFor(static_cast<std::size_t>(across * down), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end && !progress.cancelled(); ++t) {
+        const int x0 = static_cast<int>(t) % across * tile, y0 = static_cast<int>(t) / across * tile;
+        for (int y = y0; y < std::min(y0 + tile, view_.height); ++y)
+          for (int x = x0; x < std::min(x0 + tile, view_.width); ++x) work(index(x, y), x, y);
       }
-    done_[i] = wanted_[i];
+    });
   }
 
-  [[nodiscard]] double value(std::size_t i) const {
-    double sum = 0;
-    for (const float replicate : luminance_[i]) sum += static_cast<double>(replicate);
-    return sum / (static_cast<double>(replicates) * done_[i]);
+  void sampleReplicate(std::size_t i, int x, int y, std::size_t r, std::uint32_t from, std::uint32_t to) {
+    const std::uint64_t key = core::combine(core::combine(key_, i), r);
+    for (std::uint32_t s = from; s < to; ++s) {
+      const core::Vec2 place = core::Sampler(key, s).next2();
+      const scene::ViewRay ray = scene::rayThrough(view_, x + place.x, y + place.y);
+      if (!ray.inside) continue;
+      const solver::Response seen = solver_.radiance(ray.origin - worldOrigin_, ray.direction, key, s);
+      sums_[i][r].x += static_cast<float>(seen[0]);
+      sums_[i][r].y += static_cast<float>(seen[1]);
+      sums_[i][r].z += static_cast<float>(seen[2]);
+    }
   }
+
+  [[nodiscard]] Colour mean(std::size_t i) const {
+    Colour sum;
+    for (std::size_t r = 0; r < complete_; ++r) sum.x += sums_[i][r].x, sum.y += sums_[i][r].y, sum.z += sums_[i][r].z;
+    const float n = static_cast<float>(std::max<std::size_t>(1, complete_)) * static_cast<float>(done_[i]);
+    return {sum.x / n, sum.y / n, sum.z / n};
+  }
+  [[nodiscard]] double value(std::size_t i) const { return static_cast<double>(mean(i).y); }
   [[nodiscard]] double halfWidth(std::size_t i) const {
+    if (complete_ < 2) return std::numeric_limits<double>::infinity();  // one replicate says nothing about its error
     std::array<double, replicates> means{};
-    for (std::size_t r = 0; r < replicates; ++r) means[r] = static_cast<double>(luminance_[i][r]) / done_[i];
-    return quantile_ * core::replicateMean(means).standardError;
+    for (std::size_t r = 0; r < complete_; ++r) means[r] = static_cast<double>(sums_[i][r].y) / done_[i];
+    return quantile() * core::replicateMean(std::span(means).first(complete_)).standardError;
+  }
+  [[nodiscard]] double quantile() const {
+    return complete_ == replicates ? quantile_
+                                   : core::studentQuantile(static_cast<double>(complete_) - 1, accuracy_.confidence);
   }
   [[nodiscard]] double meanLuminance() const {
     double sum = 0;
@@ -152,9 +179,9 @@ class PixelLoop {
   PixelAccuracy accuracy_;
   double quantile_;
   std::size_t count_;
-  std::vector<std::array<float, replicates>> luminance_;  // sums per replicate
-  std::vector<XZ> colour_;                                // sums over all replicates
-  std::vector<std::uint32_t> done_, wanted_;              // samples per replicate
+  std::vector<std::array<Colour, replicates>> sums_;  // over the samples of each replicate
+  std::vector<std::uint32_t> done_, wanted_;          // samples per replicate
+  std::size_t complete_ = 0;                          // replicates that every pixel has
 };
 
 }  // namespace
@@ -168,7 +195,8 @@ ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, 
 
   PixelLoop loop(solver, view, worldOrigin, key, accuracy);
   progress.progress(view.name, 0, "first samples");
-  bool more = loop.pass(progress);
+  loop.firstPass([&] { return elapsed() < secondsLeft; }, progress);
+  bool more = loop.firstPassIsComplete();
   while (more && elapsed() < secondsLeft) {
     const double share = loop.shareWithin();
     progress.progress(view.name, std::min(0.95, share),
