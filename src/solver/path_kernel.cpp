@@ -95,7 +95,7 @@ void PathSolver<W>::add(Response& sum, std::uint32_t spectrum, const Spectral& t
 template <int W>
 bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3& unfoldedDirection, double distance,
                               Spectral& filter, std::uint64_t& rays) const {
-  Vec3 origin = from.start;
+  Vec3 point = from.point, origin = from.start;
   Vec3 direction = lights_->fold(light, unfoldedDirection);
   for (const std::uint32_t plane : light.mirrors) {
     tracer::Hit hit;
@@ -106,10 +106,16 @@ bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3
     distance -= hit.distance;
     const Vec3 facing = glm::dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal;
     direction = lights_->planes()[plane].reflectDirection(direction);
+    point = hit.position;
     origin = tracer_.leave(hit.position, facing);
   }
   ++rays;
-  return !tracer_.occluded(origin, direction, distance * (1 - 1e-5) - tracer_.slack());
+  // From where the ray really starts to the very point of the emitter: moved sideways instead, rays to the rim of a
+  // sphere or a tube would meet its near side (found against Radiance in the gallery: 0.4 % of the light).
+  const Vec3 toTarget = point + direction * distance - origin;
+  const double length = glm::length(toTarget);
+  if (!(length > tracer_.slack())) return true;
+  return !tracer_.occluded(origin, toTarget / length, length * (1 - 1e-5) - tracer_.slack());
 }
 
 template <int W>
