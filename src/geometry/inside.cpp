@@ -92,7 +92,7 @@ double InsideTest::patchWinding(const Vec3& point) const {
     for (const Patch& patch : patches_) {
       const Vec3 origin = apply(patch.toCanonical, point);
       const Vec3 direction = Mat3(patch.toCanonical) * directions[k];
-      double t[2];
+      double t[mostCrossings];
       const int count = intersectAll(patch.canonical, origin, direction, 0, std::numeric_limits<double>::infinity(), t);
       for (int i = 0; i < count; ++i) {
         const Vec3 normal = canonicalNormal(patch.canonical, origin + t[i] * direction);
@@ -113,19 +113,28 @@ bool InsideTest::touchesMesh(const Vec3& point, double margin) const {
 // First-order distance |f| / |grad f|, exact to first order near the surface, which is all that a small margin needs.
 bool InsideTest::touchesPatch(const Patch& patch, const Vec3& point, double margin) const {
   const Vec3 p = apply(patch.toCanonical, point);
+  const Mat3 linear(patch.toCanonical);
+  // No farther beyond its rims than the margin, in canonical units: a patch does not go on for ever.
+  const double reach = margin * std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
+                                          glm::dot(linear[2], linear[2]));
   double f = 0;
   Vec3 gradient = canonicalNormal(patch.canonical, p);
   switch (patch.canonical.kind) {
-    case QuadricPatch::Kind::disc:
+    case QuadricPatch::Kind::disc: {
+      const double radius = std::hypot(p.x, p.y);
+      if (radius > 1 + reach || radius < patch.canonical.ratio - reach) return false;
       f = p.z;
       break;
+    }
     case QuadricPatch::Kind::sphere:
       f = 0.5 * (glm::dot(p, p) - 1);
       break;
     case QuadricPatch::Kind::cylinder:
+      if (p.z < -reach || p.z > 1 + reach) return false;
       f = 0.5 * (p.x * p.x + p.y * p.y - 1);
       break;
     case QuadricPatch::Kind::cone: {
+      if (p.z < -reach || p.z > 1 + reach) return false;
       const double radius = 1 + (patch.canonical.ratio - 1) * p.z;
       f = 0.5 * (p.x * p.x + p.y * p.y - radius * radius);
       break;

@@ -10,6 +10,7 @@
 #include "geometry/polygon.h"
 #include "geometry/polyhedron.h"
 #include "geometry/rectangle.h"
+#include "geometry/revolution.h"
 #include "geometry/sphere.h"
 
 namespace goniolux::geometry {
@@ -24,6 +25,7 @@ const std::vector<ObjectType>& objectTypes() {
       sphereType(),
       cylinderType(),
       coneType(),
+      revolutionType(),
       polyhedronType(),
       meshType(),
       // clang-format on
@@ -38,7 +40,7 @@ const ObjectType* findObjectType(const std::string& name) {
 }
 
 const std::vector<std::string>& plannedObjectTypes() {
-  static const std::vector<std::string> names{"torus", "quadric", "revolution", "parametric"};
+  static const std::vector<std::string> names{"torus", "quadric", "parametric"};
   return names;
 }
 

@@ -45,13 +45,15 @@ double radiusAt(const QuadricPatch& patch, double z) {
 }  // namespace
 
 int intersectAll(const QuadricPatch& patch, const Vec3& origin, const Vec3& direction, double tMin, double tMax,
-                 double (&t)[2]) {
+                 double (&t)[mostCrossings]) {
   using Kind = QuadricPatch::Kind;
   if (patch.kind == Kind::disc) {
     if (direction.z == 0) return 0;
     const double hit = -origin.z / direction.z;
     const double x = origin.x + hit * direction.x, y = origin.y + hit * direction.y;
-    if (!(x * x + y * y <= 1 + 2 * rimSlack) || !(hit > tMin && hit < tMax)) return 0;
+    const double square = x * x + y * y;
+    if (!(square <= 1 + 2 * rimSlack && square >= patch.ratio * patch.ratio - 2 * rimSlack)) return 0;
+    if (!(hit > tMin && hit < tMax)) return 0;
     t[0] = hit;
     return 1;
   }
@@ -101,13 +103,15 @@ int intersectAll(const QuadricPatch& patch, const Vec3& origin, const Vec3& dire
 
 bool intersect(const QuadricPatch& patch, const Vec3& origin, const Vec3& direction, double tMin, double tMax,
                double& t) {
-  double hits[2];
+  double hits[mostCrossings];
   if (intersectAll(patch, origin, direction, tMin, tMax, hits) == 0) return false;
   t = hits[0];
   return true;
 }
 
-Vec3 canonicalNormal(const QuadricPatch& patch, const Vec3& point) {
+namespace {
+
+Vec3 gradient(const QuadricPatch& patch, const Vec3& point) {
   switch (patch.kind) {
     case QuadricPatch::Kind::disc:
       return {0, 0, 1};
@@ -118,9 +122,16 @@ Vec3 canonicalNormal(const QuadricPatch& patch, const Vec3& point) {
     case QuadricPatch::Kind::cone:
       break;
   }
-  const Vec3 gradient(point.x, point.y, (1 - patch.ratio) * radiusAt(patch, point.z));
+  const Vec3 slanted(point.x, point.y, (1 - patch.ratio) * radiusAt(patch, point.z));
   // At the apex of a full cone the gradient vanishes; the axis is as good as any direction there.
-  return glm::dot(gradient, gradient) > 0 ? gradient : Vec3(0, 0, 1);
+  return glm::dot(slanted, slanted) > 0 ? slanted : Vec3(0, 0, 1);
+}
+
+}  // namespace
+
+Vec3 canonicalNormal(const QuadricPatch& patch, const Vec3& point) {
+  const Vec3 normal = gradient(patch, point);
+  return patch.turned ? -normal : normal;
 }
 
 Bounds boundsOf(const QuadricPatch& patch, const Mat4& transform) {

@@ -17,11 +17,15 @@ namespace goniolux::geometry {
 bool intersect(const QuadricPatch& patch, const core::Vec3& origin, const core::Vec3& direction, double tMin,
                double tMax, double& t);
 
-/// All crossings with tMin < t < tMax in ascending order: returns how many (0, 1 or 2) were written to `t`.
-int intersectAll(const QuadricPatch& patch, const core::Vec3& origin, const core::Vec3& direction, double tMin,
-                 double tMax, double (&t)[2]);
+/// The most often that a line meets a patch.
+inline constexpr int mostCrossings = 2;
 
-/// Outward normal (front normal of a disc) at a canonical point on the patch, not of unit length, never zero. To object
+/// All crossings with tMin < t < tMax in ascending order: returns how many were written to `t`.
+int intersectAll(const QuadricPatch& patch, const core::Vec3& origin, const core::Vec3& direction, double tMin,
+                 double tMax, double (&t)[mostCrossings]);
+
+/// Outward normal (front normal of a disc; the other way for a turned patch) at a canonical point on the patch, not of
+/// unit length, never zero. To object
 /// or world space: multiply by the inverse transpose of the map's linear part, then normalise.
 core::Vec3 canonicalNormal(const QuadricPatch& patch, const core::Vec3& point);
 

@@ -39,7 +39,7 @@ double patchArea(const QuadricPatch& patch, const Mat4& transform) {
   const Mat3 c = cofactor(Mat3(transform * patch.placement));
   switch (patch.kind) {
     case Kind::disc:
-      return core::pi * glm::length(c[2]);
+      return core::pi * (1 - patch.ratio * patch.ratio) * glm::length(c[2]);
     case Kind::sphere: {
       // Archimedes: dA = dz dphi. Fejer's first rule over z, nodes cos(theta): converges geometrically, exact for
       // spheres.
@@ -68,10 +68,10 @@ struct Moments {
   double flux = 0;
 };
 
-Moments momentsOf(const QuadricPatch& patch) {
+Moments outwardMoments(const QuadricPatch& patch) {
   switch (patch.kind) {
     case Kind::disc:
-      return {{0, 0, core::pi}, 0};
+      return {{0, 0, core::pi * (1 - patch.ratio * patch.ratio)}, 0};
     case Kind::sphere:
       return {Vec3(0), 4 * core::pi};
     case Kind::cylinder:
@@ -81,6 +81,11 @@ Moments momentsOf(const QuadricPatch& patch) {
   }
   const double k = patch.ratio;
   return {{0, 0, core::pi * (1 - k * k)}, core::pi * (1 + k)};  // p . n dA = r dz dphi, as r - s z = 1
+}
+
+Moments momentsOf(const QuadricPatch& patch) {
+  const Moments moments = outwardMoments(patch);
+  return patch.turned ? Moments{-moments.normal, -moments.flux} : moments;
 }
 
 Vec3 areaVector(const Mesh& mesh, std::size_t triangle, const Mat4& transform) {

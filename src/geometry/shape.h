@@ -20,7 +20,7 @@ struct Mesh {
 };
 
 /// A patch of a quadric in canonical space, placed by an affine map, intersected in closed form in canonical space:
-/// disc:     x^2 + y^2 <= 1, z = 0, normal +z
+/// disc:     ratio^2 <= x^2 + y^2 <= 1, z = 0, normal +z (a ring when `ratio` is above 0)
 /// sphere:   x^2 + y^2 + z^2 = 1
 /// cylinder: x^2 + y^2 = 1, 0 <= z <= 1 (side only)
 /// cone:     x^2 + y^2 = (1 + (ratio - 1) z)^2, 0 <= z <= 1 (side only; radius 1 at z = 0, `ratio` at z = 1)
@@ -30,6 +30,8 @@ struct QuadricPatch {
   double ratio = 0;
   core::Mat4 placement{1.0};  ///< canonical -> object
   std::uint32_t part = 0;
+  bool turned = false;   ///< its front is the other side: towards the axis or the middle
+  bool isFacet = false;  ///< one of many that stand for a smooth surface: its rims are no edges of the object
 };
 
 struct Shape {

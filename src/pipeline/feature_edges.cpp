@@ -128,17 +128,19 @@ void patchEdges(const QuadricPatch& patch, const Mat4& objectToWorld, std::vecto
   const Mat4 toWorld = objectToWorld * patch.placement;
   if (!(std::abs(glm::determinant(core::Mat3(toWorld))) > 0)) return;
   const double ratio = patch.kind == QuadricPatch::Kind::cone ? patch.ratio : 1;
+  const bool hasRims = !patch.isFacet;
   switch (patch.kind) {
     case QuadricPatch::Kind::disc:
-      circle(toWorld, 1, 0, edges);
+      if (hasRims) circle(toWorld, 1, 0, edges);
+      if (hasRims) circle(toWorld, patch.ratio, 0, edges);
       break;
     case QuadricPatch::Kind::sphere:
       sphereSilhouette(toWorld, edges);
       break;
     case QuadricPatch::Kind::cylinder:
     case QuadricPatch::Kind::cone:
-      circle(toWorld, 1, 0, edges);
-      circle(toWorld, ratio, 1, edges);
+      if (hasRims) circle(toWorld, 1, 0, edges);
+      if (hasRims) circle(toWorld, ratio, 1, edges);
       sideSilhouette(toWorld, ratio, edges);
       break;
   }
@@ -150,7 +152,7 @@ void patchTriangles(const QuadricPatch& patch, const Mat4& objectToWorld, std::v
   std::vector<Vec2> rings;
   switch (patch.kind) {
     case QuadricPatch::Kind::disc:
-      rings = {{0, 0}, {1, 0}};
+      rings = {{patch.ratio, 0}, {1, 0}};
       break;
     case QuadricPatch::Kind::cylinder:
       rings = {{1, 0}, {1, 1}};

@@ -132,7 +132,7 @@ TEST(QuadricIntersection, AgreesWithQuadruplePrecisionOnAMillionRays) {
       // Aimed near the patch from far away, anywhere from close by.
       const Vec3 target = Vec3(0, 0, 0.5) + rays.inCube(1.5);
       const Vec3 direction = (target - origin) * std::pow(10.0, rays.uniform(-3, 3));
-      double t[2];
+      double t[mostCrossings];
       const int count = intersectAll(patch, origin, direction, 0, infinity, t);
       for (int k = 0; k < count; ++k) {
         worst = std::max(worst, residual(patch, origin, direction, t[k]) / std::max(1.0, glm::length(origin)));

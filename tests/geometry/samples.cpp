@@ -37,6 +37,29 @@ std::vector<Sample> samples(const std::filesystem::path& folder) {
                   {{"base", Vec3(1)}, {"height", 4.0}, {"axis", Vec3(1, 0, 0)}, {"radius", 3.0}, {"top_radius", 0.0}},
                   pi * 3 * 5 + pi * 9,
                   pi * 9 * 4 / 3});
+  // Areas and volumes of revolution by Pappus: length or area of the profile times the way of its centroid.
+  list.push_back({"revolution",
+                  "lens",
+                  {{"profile", std::vector<core::Vec2>{{0, 0}, {3, 4}, {0, 8}}},
+                   {"center", Vec3(1, 2, 3)},
+                   {"axis", Vec3(0, 3, 4)}},
+                  2 * pi * 3 * 5,
+                  pi * 9 * 8 / 3});
+  list.push_back({"revolution",
+                  "ring of square section, written clockwise",
+                  {{"profile", std::vector<core::Vec2>{{1, 0}, {1, 0.5}, {1.5, 0.5}, {1.5, 0}, {1, 0}}}},
+                  2 * pi * 1.25 * 2,
+                  2 * pi * 1.25 * 0.25});
+  list.push_back({"revolution",
+                  "bowl with a flat foot and a thick wall",
+                  {{"profile", std::vector<core::Vec2>{{0, 0}, {1, 0}, {3, 2}, {2.5, 2}, {0.5, 0.5}, {0, 0.5}}}},
+                  pi * (1 + 4 * std::sqrt(8.0) + (9 - 6.25) + 3 * 2.5 + 0.25),
+                  pi * 2 / 3 * (1 + 3 + 9) - pi * 1.5 / 3 * (0.25 + 1.25 + 6.25)});
+  list.push_back({"revolution",
+                  "reflector, open",
+                  {{"profile", std::vector<core::Vec2>{{0.1, 0}, {0.4, 0.4}, {0.4, 0.6}}}, {"axis", Vec3(0, 0, -1)}},
+                  pi * 0.5 * 0.5 + 2 * pi * 0.4 * 0.2,
+                  0});
   list.push_back({"polygon",
                   "wall with a window, upright",
                   {{"vertices", std::vector<Vec3>{{0, 1, 0}, {5, 1, 0}, {5, 1, 3}, {2, 1, 3}, {2, 1, 2}, {0, 1, 2}}},
