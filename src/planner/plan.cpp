@@ -2,28 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <utility>
 
-#include "planner/spectral_error.h"
+#include "planner/spectral_choice.h"
 #include "solver/solver.h"
 
 namespace goniolux::planner {
 namespace {
 
-using spectrum::SpectralDistribution;
-
 // Share of the asked accuracy that the choice of wavelengths may use up.
 constexpr double spectralShare = 0.1;
-constexpr std::array<int, 7> ladder = {4, 8, 12, 16, 31, 81, 471};
-
-std::vector<SpectralDistribution> finishesOf(const scene::World& world) {
-  std::vector<SpectralDistribution> finishes;
-  for (const auto& material : world.materials)
-    for (const auto& [key, curve] : material.spectra)
-      if (std::find(finishes.begin(), finishes.end(), curve) == finishes.end()) finishes.push_back(curve);
-  return finishes;
-}
 
 void chooseSolver(const project::Project& project, Plan& plan) {
   if (project.settings.solver == "auto") {
@@ -42,43 +30,48 @@ void chooseSolver(const project::Project& project, Plan& plan) {
   plan.reasons.push_back("solver " + plan.solver + ": as the project asks");
 }
 
-void chooseWavelengths(const project::Project& project, const scene::World& world, bool forColour, Plan& plan) {
+SpectralAllowance allowanceFor(const project::Settings& settings, bool forColour) {
+  SpectralAllowance allowance;
+  allowance.illuminance = spectralShare * settings.accuracy.grid;
+  allowance.pictures = forColour;
+  allowance.luminance = spectralShare * settings.accuracy.image;
+  allowance.colour = settings.accuracy.colourDe;
+  return allowance;
+}
+
+void chooseSpectral(const project::Project& project, const scene::World& world, bool forColour, Plan& plan) {
   const auto& settings = project.settings;
-  const std::vector<SpectralDistribution> finishes = finishesOf(world);
-  const bool grey = std::all_of(finishes.begin(), finishes.end(), [](const auto& f) { return f.isFlat(); });
-  const auto measure = [&] {
-    const SpectralError error = spectralError(plan.quadrature, world.sourceSpectra, finishes);
-    plan.spectralBound = error.luminance;
-    plan.colourBound = error.colour;
-  };
-  if (settings.spectralScheme == "auto" && grey) {
-    plan.quadrature = spectrum::flatQuadrature(world.sourceSpectra);
+  const std::vector<Finish> finishes = finishesOf(world);
+  const SpectralAllowance allowance = allowanceFor(settings, forColour);
+  const int samples = settings.spectralSamples > 0 ? settings.spectralSamples : 9;
+  SpectralChoice choice;
+  if (settings.spectralScheme == "auto") {
+    choice = chooseWavelengths(finishes, world.sourceSpectra, allowance);
+  } else if (settings.spectralScheme == "adapted") {
+    choice = adaptedWavelengths(samples, finishes, world.sourceSpectra, allowance);
+  } else if (settings.spectralScheme == "uniform") {
+    choice.quadrature = spectrum::uniformQuadrature(samples, world.sourceSpectra);
+    choice.error = SpectralErrors(finishes, world.sourceSpectra).of(choice.quadrature);
+  } else {
+    throw core::InputError({project.file, 0, 0}, "unknown-spectral-scheme",
+                           fmt::format("not supported yet: spectral scheme \"{}\"; use \"auto\", \"adapted\" or "
+                                       "\"uniform\"",
+                                       settings.spectralScheme));
+  }
+  plan.quadrature = std::move(choice.quadrature);
+  plan.spectralBound = choice.error.illuminance;
+  plan.colourBound = choice.error.colour;
+  const std::size_t nodes = plan.quadrature.wavelengths.size();
+  if (settings.spectralScheme == "auto" && nodes == 1 && choice.error.luminance == 0) {
     plan.reasons.emplace_back("1 spectral sample: every finish reflects all wavelengths alike");
     return;
   }
-  if (settings.spectralScheme != "auto") {
-    if (settings.spectralScheme != "uniform")
-      throw core::InputError({project.file, 0, 0}, "unknown-spectral-scheme",
-                             fmt::format("not supported yet: spectral scheme \"{}\"; use \"auto\" or \"uniform\"",
-                                         settings.spectralScheme));
-    plan.quadrature =
-        spectrum::uniformQuadrature(settings.spectralSamples > 0 ? settings.spectralSamples : 9, world.sourceSpectra);
-    measure();
-    plan.reasons.push_back(fmt::format("{} spectral samples: as the project asks", plan.quadrature.wavelengths.size()));
-    return;
-  }
-  const double allowedY =
-      spectralShare * (forColour ? std::min(settings.accuracy.grid, settings.accuracy.image) : settings.accuracy.grid);
-  for (const int samples : ladder) {
-    plan.quadrature = spectrum::uniformQuadrature(samples, world.sourceSpectra);
-    measure();
-    if (plan.spectralBound <= allowedY && (!forColour || plan.colourBound <= settings.accuracy.colourDe)) break;
-  }
-  plan.reasons.push_back(
-      fmt::format("{} spectral samples: after one or two reflections on this scene's finishes Y is within {:.2g} % and "
-                  "CIEDE2000 within "
-                  "{:.2g} of 1 nm",
-                  plan.quadrature.wavelengths.size(), 100 * plan.spectralBound, plan.colourBound));
+  plan.reasons.push_back(fmt::format(
+      "{} spectral samples{}: on this scene's likely light paths illuminance is within {:.2g} %{} of 1 nm", nodes,
+      settings.spectralScheme == "auto" ? "" : " as the project asks", 100 * choice.error.illuminance,
+      forColour ? fmt::format(", luminance within {:.2g} % and colour within {:.2g} CIEDE2000",
+                              100 * choice.error.luminance, choice.error.colour)
+                : ""));
 }
 
 }  // namespace
@@ -86,7 +79,7 @@ void chooseWavelengths(const project::Project& project, const scene::World& worl
 Plan makePlan(const project::Project& project, const scene::World& world, bool forColour) {
   Plan plan;
   chooseSolver(project, plan);
-  chooseWavelengths(project, world, forColour, plan);
+  chooseSpectral(project, world, forColour, plan);
   const std::size_t nodes = plan.quadrature.wavelengths.size();
   if (nodes < 471 && plan.spectralBound > 0)
     plan.leftOut.push_back(

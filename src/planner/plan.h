@@ -21,7 +21,7 @@ struct Omission {
 struct Plan {
   std::string solver;
   spectrum::SpectralQuadrature quadrature;
-  double spectralBound = 0;  ///< largest relative error of Y over the light paths looked at
+  double spectralBound = 0;  ///< largest relative error of an illuminance over the likely light paths
   double colourBound = 0;    ///< largest CIEDE2000 over them
   std::vector<Omission> leftOut;
   std::vector<std::string> reasons;

@@ -1,21 +1,39 @@
-// How far a spectral quadrature is from a 1 nm calculation, on the light paths that a scene can have: one and two
-// reflections on its own finishes, from its own sources.
+// How far a spectral quadrature is from the 1 nm control, on the light paths that are likely in a scene.
 #pragma once
 
 #include <vector>
 
+#include "planner/light_paths.h"
 #include "spectrum/spectral_quadrature.h"
 
 namespace goniolux::planner {
 
+/// Bounds, with a margin for paths like those looked at. Relative errors are those of adapted_quadrature.h: of the
+/// path's own light, but no less than `darkestShare`.
 struct SpectralError {
-  double luminance = 0;  ///< largest |Y - Y_1nm| / Y of the unreflected light
-  double colour = 0;     ///< largest CIEDE2000 against 1 nm, the unreflected light as white
+  double illuminance = 0;  ///< largest relative error of Y over the paths that a grid sees
+  double luminance = 0;    ///< the same over the paths that an eye sees
+  double colour = 0;       ///< largest CIEDE2000 over the paths that an eye sees; white is the unreflected light
 };
 
-/// Sources are relative spectral powers; reflectances those of all finishes. Cost grows with sources x finishes^2.
-SpectralError spectralError(const spectrum::SpectralQuadrature& quadrature,
-                            const std::vector<spectrum::SpectralDistribution>& sources,
-                            const std::vector<spectrum::SpectralDistribution>& reflectances);
+/// Measures quadratures of the same sources on the same finishes. Thread safe.
+class SpectralErrors {
+ public:
+  SpectralErrors(const std::vector<Finish>& finishes, const std::vector<spectrum::SpectralDistribution>& sources);
+
+  [[nodiscard]] SpectralError of(const spectrum::SpectralQuadrature& quadrature) const;
+
+  [[nodiscard]] const LightPaths& paths() const { return paths_; }
+  [[nodiscard]] const spectrum::SpectralQuadrature& control() const { return control_; }
+  /// [path][node of the control].
+  [[nodiscard]] const std::vector<std::vector<double>>& transmittances() const { return fine_; }
+
+ private:
+  std::vector<Finish> finishes_;
+  LightPaths paths_;
+  spectrum::SpectralQuadrature control_;
+  std::vector<std::vector<double>> fine_;
+  std::vector<std::vector<spectrum::Response>> exact_;  // [source][path]
+};
 
 }  // namespace goniolux::planner

@@ -236,7 +236,7 @@ const Section& spectralSection() {
         .form = Form::choice,
         .help = "how wavelengths are chosen",
         .required = true,
-        .choices = {"auto", "flat", "uniform"}},
+        .choices = {"auto", "adapted", "uniform"}},
        {.name = "samples", .form = Form::integer, .help = "wavelengths", .minimum = 1, .maximum = 471}}};
   return section;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "spectrum/cie_data.h"
+#include "spectrum/dense_solve.h"
 #include "spectrum/hats.h"
 #include "spectrum/product_integral.h"
 
@@ -51,31 +52,6 @@ const Xyz& white() {
   return result;
 }
 
-// Gaussian elimination with partial pivoting; `system` is row by row with the right-hand side as last column. The
-// solution replaces that column. False when the matrix is singular.
-bool solve(std::vector<double>& system, std::size_t n) {
-  const std::size_t width = n + 1;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t r = i + 1; r < n; ++r) {
-      if (std::abs(system[r * width + i]) > std::abs(system[pivot * width + i])) pivot = r;
-    }
-    if (!(std::abs(system[pivot * width + i]) > 1e-14)) return false;
-    for (std::size_t c = i; c < width; ++c) std::swap(system[i * width + c], system[pivot * width + c]);
-    for (std::size_t r = i + 1; r < n; ++r) {
-      const double factor = system[r * width + i] / system[i * width + i];
-      if (factor == 0) continue;
-      for (std::size_t c = i; c < width; ++c) system[r * width + c] -= factor * system[i * width + c];
-    }
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    double& x = system[i * width + n];
-    for (std::size_t c = i + 1; c < n; ++c) x -= system[i * width + c] * system[c * width + n];
-    x /= system[i * width + i];
-  }
-  return true;
-}
-
 // z at the nodes, then the three multipliers.
 using State = std::vector<double>;
 
@@ -115,7 +91,7 @@ bool converge(State& state, const Xyz& target) {
       largest = std::max(largest, std::abs(miss[c]));
     }
     if (largest < 1e-12) return true;
-    if (!solve(system, unknowns)) return false;
+    if (!solveDense(system, unknowns)) return false;
     double step = 0;
     for (std::size_t i = 0; i < unknowns; ++i) {
       state[i] += at(i, unknowns);

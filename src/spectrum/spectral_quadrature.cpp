@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <stdexcept>
 
 #include "spectrum/cie_data.h"
@@ -15,7 +16,9 @@ namespace {
 
 SpectralQuadrature quadrature(std::string scheme, std::vector<double> nodes,
                               const std::vector<SpectralDistribution>& sources) {
-  SpectralQuadrature result{std::move(scheme), std::move(nodes), {}};
+  SpectralQuadrature result;
+  result.scheme = std::move(scheme);
+  result.wavelengths = std::move(nodes);
   const auto shapes = hats(result.wavelengths);
   const std::array<const SpectralDistribution*, responseChannels> channels{&cie1931().xbar, &cie1931().ybar,
                                                                            &cie1931().zbar, &melanopicAction()};
@@ -71,9 +74,31 @@ SpectralQuadrature uniformQuadrature(int count, const std::vector<SpectralDistri
   return quadrature("uniform:" + std::to_string(count), std::move(nodes), sources);
 }
 
+SpectralQuadrature controlQuadrature(const std::vector<SpectralDistribution>& sources) {
+  std::set<double> lines;
+  for (const SpectralDistribution& source : sources) {
+    for (const auto& line : source.lines()) {
+      if (line.wavelength >= visibleFrom && line.wavelength <= visibleTo) lines.insert(line.wavelength);
+    }
+  }
+  std::set<double> nodes;
+  for (double nanometre = visibleFrom; nanometre <= visibleTo; nanometre += 1) nodes.insert(nanometre);
+  for (const double line : lines) nodes.erase(std::round(line));
+  nodes.insert(lines.begin(), lines.end());
+  SpectralQuadrature result =
+      quadrature("control:" + std::to_string(nodes.size()), {nodes.begin(), nodes.end()}, sources);
+  result.values = NodeValues::sampled;
+  return result;
+}
+
 std::vector<double> atNodes(const SpectralDistribution& distribution, const SpectralQuadrature& quadrature) {
   const auto& nodes = quadrature.wavelengths;
   const std::size_t count = nodes.size();
+  if (quadrature.values == NodeValues::sampled) {
+    std::vector<double> samples;
+    for (const double wavelength : nodes) samples.push_back(distribution.continuum(wavelength));
+    return samples;
+  }
   const auto range = distribution.range();
   if (distribution.isFlat()) return std::vector<double>(count, range.first);
 

@@ -1,0 +1,34 @@
+// The choice of wavelengths: the smallest set that meets the accuracy asked for.
+#pragma once
+
+#include <string>
+
+#include "planner/spectral_error.h"
+#include "spectrum/spectral_quadrature.h"
+
+namespace goniolux::planner {
+
+/// What the choice of wavelengths may spoil; the members mean what those of SpectralError mean.
+struct SpectralAllowance {
+  double illuminance = 0.002;
+  bool pictures = false;  ///< luminance and colour count
+  double luminance = 0.005, colour = 1;
+};
+
+struct SpectralChoice {
+  spectrum::SpectralQuadrature quadrature;
+  SpectralError error;
+};
+
+/// One node when every finish is grey; else adapted nodes, as few as suffice; for scenes that sixteen do not do justice
+/// to, the control's coarser relatives up to the control itself.
+SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
+                                 const std::vector<spectrum::SpectralDistribution>& sources,
+                                 const SpectralAllowance& allowance);
+
+/// Adapted nodes, as many as asked for; the allowance tells what to favour.
+SpectralChoice adaptedWavelengths(int count, const std::vector<Finish>& finishes,
+                                  const std::vector<spectrum::SpectralDistribution>& sources,
+                                  const SpectralAllowance& allowance);
+
+}  // namespace goniolux::planner
