@@ -13,17 +13,19 @@
 namespace goniolux::core {
 
 enum class ParameterKind {
-  number,     ///< double
-  length,     ///< double; the project's units in the file, metres inside
-  text,       ///< std::string
-  file,       ///< std::string: resolved path
-  spectrum,   ///< a SPECTRUM of the project format
-  direction,  ///< Vec3, any length but 0
-  point,      ///< Vec3, lengths
-  points2,    ///< list of Vec2, lengths
-  points3,    ///< list of Vec3, lengths
-  faces,      ///< list of lists of vertex indices (points3 of another key)
-  loops3,     ///< list of lists of Vec3, lengths (holes)
+  number,           ///< double
+  length,           ///< double; the project's units in the file, metres inside
+  text,             ///< std::string
+  file,             ///< std::string: resolved path
+  spectrum,         ///< a SPECTRUM of the project format
+  refractiveIndex,  ///< a SPECTRUM, or Cauchy's or Sellmeier's formula
+  boolean,          ///< double: 0 or 1
+  direction,        ///< Vec3, any length but 0
+  point,            ///< Vec3, lengths
+  points2,          ///< list of Vec2, lengths
+  points3,          ///< list of Vec3, lengths
+  faces,            ///< list of lists of vertex indices (points3 of another key)
+  loops3,           ///< list of lists of Vec3, lengths (holes)
 };
 
 struct Parameter {

@@ -43,6 +43,12 @@ class Emitter {
   [[nodiscard]] virtual double luminance(const core::Vec3& normal, const core::Vec3& direction) const = 0;
   /// A rough illuminance at `point`, for choosing among emitters: 0 only where no light of this emitter can arrive.
   [[nodiscard]] virtual double importance(const core::Vec3& point, const core::Vec3& normal) const = 0;
+  /// About the solid angle in sr under which `point` sees the opening, for weighing two ways of finding its light; 0:
+  /// rays cannot hit it (points, lines).
+  [[nodiscard]] virtual double roughSolidAngle(const core::Vec3& point) const {
+    (void)point;
+    return 0;
+  }
   /// Luminous flux, lm.
   [[nodiscard]] virtual double flux() const = 0;
   /// True where illuminance() costs little more than a sample (a closed form).

@@ -191,6 +191,11 @@ class TriangleEmitter final : public Emitter {
     const double slant = std::max(std::abs(glm::dot(toCenter, normal_)) / distance, 0.1 * spread);
     return luminance_ * slant * facing * area_ / std::max(distance * distance, radius_ * radius_);
   }
+  [[nodiscard]] double roughSolidAngle(const Vec3& point) const override {
+    const Vec3 toCenter = center_ - point;
+    const double distance = std::max(glm::length(toCenter), 1e-12), reach = std::max(distance, 0.5 * radius_);
+    return std::min(2 * core::pi, area_ * std::abs(glm::dot(toCenter, normal_)) / distance / (reach * reach));
+  }
   [[nodiscard]] double flux() const override { return 2 * core::pi * luminance_ * area_; }
   [[nodiscard]] bool hasClosedForm() const override { return true; }
 

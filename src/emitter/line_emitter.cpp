@@ -35,6 +35,8 @@ class LineEmitter final : public OpeningEmitter {
     return {direction, distance, intensity(-direction) / length_ * (span.to - span.from) / span.distance};
   }
 
+  [[nodiscard]] double roughSolidAngle(const Vec3&) const override { return 0; }
+
   [[nodiscard]] Illuminance illuminance(const Vec3& point, const Vec3& normal, double tolerance) const override {
     const QuadratureResult sum = integrateSquare(
         [&](const core::Vec2& u) {

@@ -94,6 +94,14 @@ double OpeningEmitter::importance(const Vec3& point, const Vec3& normal) const {
   return (towards + floor * peakIntensity_) * facing / (reach * reach);
 }
 
+double OpeningEmitter::roughSolidAngle(const Vec3& point) const {
+  const Vec3 toCenter = center_ - point;
+  const double distance = glm::length(toCenter);
+  if (!(distance > 0)) return 2 * core::pi;
+  const double area = projectedArea(-toCenter / distance), reach = std::max(distance, 0.5 * boundingRadius_);
+  return std::min(2 * core::pi, area / (reach * reach));
+}
+
 IncidentLight OpeningEmitter::fromElement(const Vec3& point, const Vec3& elementPoint, const Vec3& elementNormal,
                                           double pdf) const {
   const Vec3 toElement = elementPoint - point;

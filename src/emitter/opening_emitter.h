@@ -23,6 +23,7 @@ class OpeningEmitter : public Emitter {
                                         double tolerance) const override;
   [[nodiscard]] double luminance(const core::Vec3& normal, const core::Vec3& direction) const override;
   [[nodiscard]] double importance(const core::Vec3& point, const core::Vec3& normal) const override;
+  [[nodiscard]] double roughSolidAngle(const core::Vec3& point) const override;
   [[nodiscard]] double flux() const override { return flux_; }
 
  protected:

@@ -90,6 +90,8 @@ std::optional<core::Argument> readGiven(SectionReader& section, const core::Para
       return argument(readFaces(value, key, reading));
     case ParameterKind::loops3:
       return argument(readLoops(value, key, reading));
+    case ParameterKind::boolean:
+    case ParameterKind::refractiveIndex:
     case ParameterKind::spectrum:
       break;  // no object type has one; materials read theirs with their role
   }

@@ -33,8 +33,10 @@ enum class Form {
   percentage,     ///< "2 %", or 0.02
   reflectance,    ///< SPECTRUM between 0 and 1
   source,         ///< SPECTRUM of a light source: relative, not negative, with some luminous power
-  quantity,       ///< SPECTRUM that is not negative: refractive index, attenuation, radiance
+  quantity,       ///< SPECTRUM that is not negative: attenuation, radiance
+  index,          ///< refractive index: SPECTRUM above 0, {"cauchy": […]} or {"sellmeier": {…}}
   curve,          ///< list of [angle, value] pairs
+  numbers,        ///< list of numbers
   section,        ///< an object: Key::section
   sections,       ///< list of such objects
   numberMap,      ///< names of the user's choice with a number each
@@ -93,6 +95,8 @@ const Section& rotationSection();
 /// SPECTRUM as an object: which of its keys stand together is checked by the reader.
 const Section& spectrumSection();
 const Section& photometrySection();
+const Section& dispersionSection();
+const Section& sellmeierSection();
 const Section& goniometricSection();
 
 /// A luminous opening that a luminaire's "shape" may state: {"rectangle": {"length": …, "width": …}}.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "project/format.h"
+#include "reflection/bsdf.h"
 
 namespace goniolux::project {
 namespace {
@@ -55,6 +56,10 @@ Form formOf(core::ParameterKind kind) {
       return Form::file;
     case core::ParameterKind::spectrum:
       return Form::quantity;
+    case core::ParameterKind::refractiveIndex:
+      return Form::index;
+    case core::ParameterKind::boolean:
+      return Form::boolean;
     case core::ParameterKind::direction:
       return Form::direction;
     case core::ParameterKind::point:
@@ -71,27 +76,49 @@ Form formOf(core::ParameterKind kind) {
   return Form::number;
 }
 
+Key keyOf(const core::Parameter& parameter) {
+  const bool isFraction = parameter.kind == core::ParameterKind::spectrum && parameter.maximum <= 1;
+  return {.name = parameter.key,
+          .form = isFraction ? Form::reflectance : formOf(parameter.kind),
+          .help = parameter.help,
+          .required = parameter.required,
+          .minimum = parameter.minimum,
+          .maximum = parameter.maximum,
+          .minimumIsAllowed = parameter.minimumIsAllowed};
+}
+
 }  // namespace
 
 const std::vector<MaterialForm>& materialForms() {
-  static const std::vector<MaterialForm> forms{
-      {"lambert", materialSection({reflectance("diffuse", "diffuse reflectance", true)})},
-      {"mirror", materialSection({reflectance("reflectance", "specular reflectance at every angle", true)})},
-      {"dielectric",
-       materialSection(
-           {quantity("ior", "refractive index", 0),
-            quantity("attenuation_per_m", "per metre, whatever the units", 0),
-            {.name = "thickness_m", .form = Form::number, .help = "of a thin pane, in metres", .minimum = 0}}),
-       true},
-      {"conductor",
-       materialSection({quantity("ior", "n and k, from an .nk file", 0),
-                        {.name = "roughness", .form = Form::number, .help = "GGX alpha", .minimum = 0, .maximum = 1}}),
-       true},
-      {"phong", hallSection(), true},
-      {"whitted", hallSection(), true},
-      {"hall", hallSection(), true},
-  };
+  static const std::vector<MaterialForm> forms = [] {
+    std::vector<MaterialForm> list;
+    for (const reflection::ReflectionModel& model : reflection::reflectionModels()) {
+      std::vector<Key> keys;
+      for (const core::Parameter& parameter : model.parameters) keys.push_back(keyOf(parameter));
+      list.push_back({model.name, materialSection(std::move(keys))});
+    }
+    for (const char* name : {"phong", "whitted", "hall"}) list.push_back({name, hallSection(), true});
+    return list;
+  }();
   return forms;
+}
+
+const Section& dispersionSection() {
+  static const Section section{
+      "a refractive index",
+      {{.name = "cauchy", .form = Form::numbers, .help = "[A, B, C] of A + B/w^2 + C/w^4, w in micrometres"},
+       {.name = "sellmeier",
+        .form = Form::section,
+        .help = "n^2 = 1 + sum of b w^2/(w^2 - c), w in micrometres",
+        .section = &sellmeierSection()}}};
+  return section;
+}
+
+const Section& sellmeierSection() {
+  static const Section section{"Sellmeier's formula",
+                               {{.name = "b", .form = Form::numbers, .help = "coefficients", .required = true},
+                                {.name = "c", .form = Form::numbers, .help = "square micrometres", .required = true}}};
+  return section;
 }
 
 Section objectSection(const geometry::ObjectType& type) {

@@ -6,8 +6,10 @@
 
 #include "core/closest_name.h"
 #include "project/format.h"
+#include "project/index_reader.h"
 #include "project/section_reader.h"
 #include "project/spectrum_reader.h"
+#include "reflection/bsdf.h"
 #include "spectrum/cie_data.h"
 
 namespace goniolux::project {
@@ -66,6 +68,8 @@ void readMaterial(material::Material& material, const core::Value& value, Readin
       if (const auto number = section.number(key.name)) material.numbers[key.name] = *number;
     } else if (key.form == Form::boolean) {
       if (const auto flag = section.boolean(key.name)) material.numbers[key.name] = *flag ? 1 : 0;
+    } else if (key.form == Form::index) {
+      if (auto index = readRefractiveIndex(*given, key, reading)) material.spectra[key.name] = std::move(*index);
     } else {
       const auto role = key.form == Form::reflectance ? spectrum::Role::reflectance : spectrum::Role::coefficient;
       if (auto spectrum = readSpectrum(*given, key, role, reading)) material.spectra[key.name] = std::move(*spectrum);
@@ -73,10 +77,17 @@ void readMaterial(material::Material& material, const core::Value& value, Readin
   }
   material.emission = readEmission(section, reading);
   if (form->isPlanned) {
+    std::vector<std::string> known;
+    for (const auto& model : reflection::reflectionModels()) known.push_back(model.name);
     reading.notSupported(
         value.find("model")->position(),
-        fmt::format("the reflection model \"{}\"; this version knows lambert and mirror", form->model));
+        fmt::format("the reflection model \"{}\"; this version knows {}", form->model, fmt::join(known, ", ")));
+    return;
   }
+  const reflection::ReflectionModel* model = reflection::findReflectionModel(form->model);
+  if (section.failed() || model == nullptr || model->complaint == nullptr) return;
+  if (const std::string complaint = model->complaint(material); !complaint.empty())
+    reading.error(value, "out-of-range", complaint);
 }
 
 }  // namespace

@@ -90,6 +90,10 @@ Value valueSchema(const Key& key) {
     case Form::source:
     case Form::quantity:
       return anyOf({number(key), reference("spectrum")});
+    case Form::index:
+      return anyOf({number(key), reference("spectrum"), sectionSchema(dispersionSection())});
+    case Form::numbers:
+      return listOf(type("number"));
     case Form::section:
       return sectionSchema(*key.section);
     case Form::sections:

@@ -2,6 +2,9 @@
 
 #include <cassert>
 
+#include "solver/path_connections.h"
+#include "solver/path_steps.h"
+
 namespace goniolux::solver {
 
 namespace {
@@ -15,16 +18,6 @@ constexpr std::uint32_t pilotPaths = 16;
 constexpr double quadratureTolerance = 1e-4;
 // Indirect paths per sample of a pixel.
 constexpr std::uint32_t branches = 4;
-// Far beyond what Russian roulette lets live; guards against mirrors of reflectance 1.
-constexpr int mostReflections = 10000;
-
-// Keys of the independent random streams of one estimate.
-constexpr std::uint64_t indirectStream = 0x1d1, lightStream = 0x119;
-
-double photopic(const Response& r) {
-  return r[1];
-}
-
 core::Frame frameAbout(const core::Vec3& normal) {
   core::Frame frame;
   frame.z = normal;
@@ -44,39 +37,68 @@ PathSolver<W>::PathSolver(const Problem& problem) : world_(problem.world), trace
   const spectrum::SpectralQuadrature& quadrature = problem.quadrature;
   assert(quadrature.wavelengths.size() <= static_cast<std::size_t>(W));
   std::vector<bool> isMirror;
+  bool bends = false;
   for (const material::Material& material : world_.materials) {
     const reflection::ReflectionModel* model = reflection::findReflectionModel(material.model);
     assert(model != nullptr);  // the project reader refuses unknown models
     bsdfs_.push_back(model->make(material, quadrature));
-    isMirror.push_back(bsdfs_.back()->isSpecular());
+    const reflection::Bsdf& bsdf = *bsdfs_.back();
+    isMirror.push_back(bsdf.isSpecular() && bsdf.lobes().mirror);
     Spectral reflectance = Spectral::filled(0);
-    reflection::BsdfSample ignored;
-    if (bsdfs_.back()->isSpecular()) bsdfs_.back()->sample({0, 0, 1}, {0, 0}, ignored, reflectance.v.data());
+    if (isMirror.back()) bsdf.mirrorReflectance(1, reflectance.v.data());
     mirrorReflectance_.push_back(reflectance);
+    hasPanes_ = hasPanes_ || bsdf.lobes().straight || (bsdf.lobes().mirror && bsdf.lobes().angular);
+    if (bsdf.medium() == nullptr) continue;
+    hasMedia_ = true;
+    bends = bends || bsdf.isSpecular();
+    disperses_ = disperses_ || bsdf.medium()->disperses;
   }
+  std::vector<double> seen(quadrature.wavelengths.size(), 0);
   for (const auto& nodes : quadrature.weights) {
     std::vector<std::array<float, W>> channels(spectrum::responseChannels);
     for (auto& channel : channels) channel.fill(0);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      for (std::size_t c = 0; c < channels.size(); ++c) channels[c][k] = static_cast<float>(nodes[k][c]);
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        channels[c][k] = static_cast<float>(nodes[k][c]);
+        seen[k] += std::abs(nodes[k][c]);
+      }
     weights_.push_back(std::move(channels));
+  }
+  double total = 0;
+  for (const double s : seen) total += s;
+  double sum = 0;
+  for (const double s : seen) {
+    heroProbability_.push_back(total > 0 ? s / total : 1.0 / static_cast<double>(seen.size()));
+    heroCumulative_.push_back(sum += heroProbability_.back());
   }
   lights_ = std::make_unique<LightList>(world_, isMirror);
   lightsAreFew_ = lights_->lights().size() <= fewLights;
 
-  // Points and lines have no geometry that a ray could hit: their light by mirrors is found through plane images only.
+  // Emitting triangles stand in World::emitters in the order of the triangles.
+  emitterOfTriangle_.assign(world_.triangles.size(), scene::none);
+  std::uint32_t emitter = 0;
+  for (std::size_t t = 0; t < world_.triangles.size(); ++t) {
+    if (!(world_.surfaces[world_.triangleSurfaces[t]].luminance > 0)) continue;
+    while (emitter < world_.emitters.size() && world_.emitters[emitter].luminaire != scene::none) ++emitter;
+    if (emitter < world_.emitters.size()) emitterOfTriangle_[t] = emitter++;
+  }
+
+  // Points and lines have no geometry that a ray could hit: their light by mirrors is found through plane images only,
+  // and what glass bends is not found at all.
   bool invisible = false, curvedMirror = false;
   for (const scene::LightSource& source : world_.emitters) invisible = invisible || !source.hasGeometry;
   for (const scene::PlacedPatch& patch : world_.patches)
     curvedMirror = curvedMirror || isMirror[world_.surfaces[patch.surface].material];
-  losesCaustics_ = invisible && (curvedMirror || !lights_->planes().empty());
+  losesCaustics_ = invisible && (curvedMirror || bends || !lights_->planes().empty());
 }
 
 template <int W>
 std::vector<std::string> PathSolver<W>::leftOut() const {
   if (!losesCaustics_) return {};
-  return {"light of point and line luminaires that arrives by curved mirrors, or by more than " +
-          std::to_string(lights_->imageDepth()) + " plane mirrors in a row"};
+  return {
+      "light of point and line luminaires that arrives by curved mirrors, through solid glass or water, or by more "
+      "than " +
+      std::to_string(lights_->imageDepth()) + " plane mirrors in a row"};
 }
 
 template <int W>
@@ -90,87 +112,6 @@ void PathSolver<W>::add(Response& sum, std::uint32_t spectrum, const Spectral& t
     for (int k = 0; k < W; ++k) dot += w[k] * t[k];
     sum[c] += factor * static_cast<double>(dot);
   }
-}
-
-template <int W>
-bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3& unfoldedDirection, double distance,
-                              Spectral& filter, std::uint64_t& rays) const {
-  Vec3 point = from.point, origin = from.start;
-  Vec3 direction = lights_->fold(light, unfoldedDirection);
-  for (const std::uint32_t plane : light.mirrors) {
-    tracer::Hit hit;
-    ++rays;
-    if (!tracer_.intersect(origin, direction, hit) || hit.distance >= distance) return false;
-    if (lights_->planeOf(hit.primitive) != plane) return false;
-    filter *= mirrorReflectance_[world_.surfaces[hit.surface].material];
-    distance -= hit.distance;
-    const Vec3 facing = glm::dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal;
-    direction = lights_->planes()[plane].reflectDirection(direction);
-    point = hit.position;
-    origin = tracer_.leave(hit.position, facing);
-  }
-  ++rays;
-  // From where the ray really starts to the very point of the emitter: moved sideways instead, rays to the rim of a
-  // sphere or a tube would meet its near side (found against Radiance in the gallery: 0.4 % of the light).
-  const Vec3 toTarget = point + direction * distance - origin;
-  const double length = glm::length(toTarget);
-  if (!(length > tracer_.slack())) return true;
-  return !tracer_.occluded(origin, toTarget / length, length * (1 - 1e-5) - tracer_.slack());
-}
-
-template <int W>
-Response PathSolver<W>::exactResponse(const Light& light, double value) const {
-  Response sum{};
-  Spectral filter = Spectral::filled(1);
-  for (const std::uint32_t plane : light.mirrors) filter *= mirrorReflectance_[lights_->planes()[plane].material];
-  add(sum, light.spectrum, filter, value);
-  return sum;
-}
-
-template <int W>
-Response PathSolver<W>::connectOnce(const LightPlan& plan, const Vertex& at, const core::Vec2& u,
-                                    std::uint64_t& rays) const {
-  const Light& light = lights_->lights()[plan.light];
-  const Unfolded seen = lights_->unfold(light, at.point, at.normal);
-  const emitter::IncidentLight incident = light.emitter->sample(seen.point, u);
-  Response result{};
-  const double cosine = glm::dot(incident.direction, seen.normal);
-  if (incident.normalIlluminance <= 0 || cosine <= 0) return result;
-  Spectral filter = Spectral::filled(1);
-  const bool visible = connected(light, at, incident.direction, incident.distance, filter, rays);
-  const double value = incident.normalIlluminance * cosine;
-  if (!plan.fromExact) {
-    if (visible) add(result, light.spectrum, filter, value);
-  } else if (!visible) {
-    const Response lost = exactResponse(light, value);
-    for (std::size_t c = 0; c < result.size(); ++c) result[c] = -lost[c];
-  }
-  return result;
-}
-
-template <int W>
-void PathSolver<W>::studyVisibility(LightPlan& entry, const Vertex& at, std::uint64_t key, std::uint64_t& rays) const {
-  const Light& light = lights_->lights()[entry.light];
-  const Unfolded seen = lights_->unfold(light, at.point, at.normal);
-  double sum = 0, visibleSum = 0, squares = 0, visibleSquares = 0;
-  for (std::uint32_t i = 0; i < entry.pilot; ++i) {
-    core::Sampler random(core::combine(core::combine(key, lightStream), entry.light), i);
-    const emitter::IncidentLight incident = light.emitter->sample(seen.point, random.next2());
-    const double value =
-        std::max(0.0, incident.normalIlluminance) * std::max(0.0, glm::dot(incident.direction, seen.normal));
-    sum += value;
-    squares += value * value;
-    Spectral filter = Spectral::filled(1);
-    if (value > 0 && connected(light, at, incident.direction, incident.distance, filter, rays)) {
-      visibleSum += value;
-      visibleSquares += value * value;
-    }
-  }
-  const double n = entry.pilot;
-  entry.fromExact = visibleSum >= 0.5 * sum && sum > 0;
-  const double mean = (entry.fromExact ? sum - visibleSum : visibleSum) / n;
-  entry.sigma =
-      std::sqrt(std::max(0.0, (entry.fromExact ? squares - visibleSquares : visibleSquares) / n - mean * mean));
 }
 
 template <int W>
@@ -209,8 +150,8 @@ std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std:
   for (std::uint32_t i = 0; i < pilotPaths; ++i) {
     core::Sampler random(core::combine(key, indirectStream), i);
     Response arrived{};
-    follow(arrived, at.start, cosineDirection(frame, random.next2()), Spectral::filled(static_cast<float>(core::pi)),
-           random, rays);
+    Path path = pathFrom(at, frame, random);
+    follow(arrived, path, random, rays);
     sum += photopic(arrived);
     squares += photopic(arrived) * photopic(arrived);
   }
@@ -248,8 +189,8 @@ Response PathSolver<W>::illuminance(const Receiver& receiver, const ReceiverPlan
   const std::uint64_t stream = core::combine(key, indirectStream);
   for (std::uint32_t i = 0; i < samples; ++i) {
     core::Sampler random(stream, i);
-    follow(sum, at.start, cosineDirection(frame, random.next2()), Spectral::filled(static_cast<float>(core::pi)),
-           random, rays);
+    Path path = pathFrom(at, frame, random);
+    follow(sum, path, random, rays);
   }
   for (std::size_t c = 0; c < sum.size(); ++c) result[c] += sum[c] / samples;
   rays_.fetch_add(rays, std::memory_order_relaxed);
@@ -257,94 +198,33 @@ Response PathSolver<W>::illuminance(const Receiver& receiver, const ReceiverPlan
 }
 
 template <int W>
-double PathSolver<W>::emittedLuminance(const tracer::Hit& hit, const Vec3& towards, std::uint32_t& spectrum) const {
-  const scene::Surface& surface = world_.surfaces[hit.surface];
-  if (surface.luminance > 0) {
-    spectrum = surface.spectrum;
-    return surface.luminance;
-  }
-  if (surface.emitter == scene::none) return 0;
-  const scene::LightSource& source = world_.emitters[surface.emitter];
-  spectrum = source.spectrum;
-  // A flat opening is seen from both sides; volumes from outside only.
-  const Vec3 facing = glm::dot(hit.normal, towards) >= 0 ? hit.normal : -hit.normal;
-  return source.emitter->luminance(facing, towards);
+typename PathSolver<W>::Path PathSolver<W>::pathFrom(const Vertex& at, const core::Frame& frame,
+                                                     core::Sampler& random) const {
+  Path path{at.start, cosineDirection(frame, random.next2()), Spectral::filled(static_cast<float>(core::pi))};
+  chooseHero(path, random);
+  path.connected = true;
+  return path;
 }
 
 template <int W>
-typename PathSolver<W>::Vertex PathSolver<W>::vertexAt(const tracer::Hit& hit, const Vec3& direction) const {
-  const Vec3 normal = glm::dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal;
-  return {hit.position, tracer_.leave(hit.position, normal), normal};
-}
-
-template <int W>
-void PathSolver<W>::addDirect(Response& sum, const Vertex& at, const reflection::Bsdf& bsdf, const Vec3& out,
-                              const core::Frame& frame, const Spectral& throughput, bool everyLight,
-                              core::Sampler& random, std::uint64_t& rays) const {
-  const auto connect = [&](std::uint32_t index, double weight) {
-    const Light& light = lights_->lights()[index];
-    const Unfolded seen = lights_->unfold(light, at.point, at.normal);
-    const emitter::IncidentLight incident = light.emitter->sample(seen.point, random.next2());
-    const double cosine = glm::dot(incident.direction, seen.normal);
-    if (incident.normalIlluminance <= 0 || cosine <= 0) return;
-    Spectral filter = throughput;
-    if (!connected(light, at, incident.direction, incident.distance, filter, rays)) return;
-    Spectral f = Spectral::filled(0);
-    bsdf.evaluate(out, frame.toLocal(lights_->fold(light, incident.direction)), f.v.data());
-    f *= filter;
-    add(sum, light.spectrum, f, incident.normalIlluminance * cosine * weight);
-  };
-  if (everyLight && lightsAreFew_) {
-    for (std::uint32_t i = 0; i < lights_->lights().size(); ++i) connect(i, 1);
-    return;
-  }
-  std::uint32_t chosen = 0;
-  double probability = 0;
-  if (lights_->choose(at.point, at.normal, random.next(), chosen, probability)) connect(chosen, 1 / probability);
-}
-
-template <int W>
-void PathSolver<W>::follow(Response& sum, Vec3 origin, Vec3 direction, Spectral throughput, core::Sampler& random,
-                           std::uint64_t& rays) const {
-  // Mirrors met since the last point that was connected to the lights, and whether image lights have found what they
-  // show.
-  int mirrors = 0, reflections = 0;
-  bool byImages = true;
-  while (reflections < mostReflections) {
-    tracer::Hit hit;
-    ++rays;
-    if (!tracer_.intersect(origin, direction, hit)) return;
-    const bool alreadyCounted = byImages && mirrors <= lights_->imageDepth();
-    std::uint32_t spectrum = 0;
-    if (!alreadyCounted)
-      if (const double luminance = emittedLuminance(hit, -direction, spectrum); luminance > 0)
-        add(sum, spectrum, throughput, luminance);
-
-    const reflection::Bsdf& bsdf = *bsdfs_[world_.surfaces[hit.surface].material];
-    const Vertex at = vertexAt(hit, direction);
+void PathSolver<W>::follow(Response& sum, Path& path, core::Sampler& random, std::uint64_t& rays) const {
+  Meeting met;
+  for (int reflections = 1; reflections <= mostReflections; ++reflections) {
+    if (!meet(path, met, rays)) return;
+    addEmitted(sum, path, met.hit);
+    const Vertex at = vertexAt(met.hit, path.direction);
     const core::Frame frame = frameAbout(at.normal);
-    const Vec3 out = frame.toLocal(-direction);
-
-    if (!bsdf.isSpecular()) {
-      addDirect(sum, at, bsdf, out, frame, throughput, false, random, rays);
-      mirrors = 0;
-      byImages = true;
-    } else {
-      ++mirrors;
-      byImages = byImages && lights_->planeOf(hit.primitive) != scene::none;
+    const Vec3 out = frame.toLocal(-path.direction);
+    if (met.bsdf->lobes().spread) {
+      if (hasMedia_ && met.bsdf->medium() != nullptr && met.bsdf->medium()->disperses) collapse(path);
+      addDirect(sum, at, met, out, frame, path, false, random, rays);
+      path.share = 1 / static_cast<double>(lights_->lights().size());
     }
-
     reflection::BsdfSample next;
     Spectral weight = Spectral::filled(0);
-    if (!bsdf.sample(out, random.next2(), next, weight.v.data())) return;
-    // Russian roulette on this reflection's largest weight: throughput stays near 1, long paths end as light is
-    // absorbed. Not at the first reflection: in room R1 that takes a third less time for the same interval.
-    const float survive = ++reflections == 1 ? 1.0f : std::min(1.0f, weight.largest());
-    if (survive <= 0 || random.next() >= static_cast<double>(survive)) return;
-    throughput *= weight;
-    throughput *= 1 / survive;
-    direction = frame.toWorld(next.direction);
-    origin = at.start;
+    if (!met.bsdf->sample(out, random.next2(), met.interface, next, weight.v.data())) return;
+    // No roulette at the first reflection: in room R1 that takes a third less time for the same interval.
+    if (!goOn(path, met, at, frame, next, weight, reflections > 1, random)) return;
   }
 }
 
@@ -353,42 +233,35 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
   Response sum{};
   std::uint64_t rays = 0;
   core::Sampler random(core::combine(key, lightStream), sample);
-  Vec3 origin = eye, direction = view;
-  Spectral throughput = Spectral::filled(1);
-  // What the eye sees by itself: emitters, directly and in mirrors, up to the first matt surface.
-  for (int mirrors = 0; mirrors < mostReflections; ++mirrors) {
-    tracer::Hit hit;
-    ++rays;
-    if (!tracer_.intersect(origin, direction, hit)) break;
-    std::uint32_t spectrum = 0;
-    if (const double luminance = emittedLuminance(hit, -direction, spectrum); luminance > 0)
-      add(sum, spectrum, throughput, luminance);
-    const reflection::Bsdf& bsdf = *bsdfs_[world_.surfaces[hit.surface].material];
-    const Vertex at = vertexAt(hit, direction);
+  Path path{eye, view, Spectral::filled(1)};
+  chooseHero(path, random);
+  Meeting met;
+  // What the eye sees by itself: emitters, directly, in mirrors and through glass, up to the first matt surface.
+  for (int mirrors = 0; mirrors < mostReflections && meet(path, met, rays); ++mirrors) {
+    addEmitted(sum, path, met.hit);
+    const reflection::Bsdf& bsdf = *met.bsdf;
+    const Vertex at = vertexAt(met.hit, path.direction);
     const core::Frame frame = frameAbout(at.normal);
-    const Vec3 out = frame.toLocal(-direction);
+    const Vec3 out = frame.toLocal(-path.direction);
     reflection::BsdfSample next;
     Spectral weight = Spectral::filled(0);
     if (bsdf.isSpecular()) {
-      if (!bsdf.sample(out, random.next2(), next, weight.v.data())) break;
-      const float survive = std::min(1.0f, weight.largest());
-      if (survive <= 0 || random.next() >= static_cast<double>(survive)) break;
-      throughput *= weight;
-      throughput *= 1 / survive;
-      direction = frame.toWorld(next.direction);
-      origin = at.start;
+      if (!bsdf.sample(out, random.next2(), met.interface, next, weight.v.data())) break;
+      if (!goOn(path, met, at, frame, next, weight, true, random)) break;
       continue;
     }
     if (bsdf.largestReflectance() <= 0) break;
-    addDirect(sum, at, bsdf, out, frame, throughput, true, random, rays);
+    if (hasMedia_ && bsdf.medium() != nullptr && bsdf.medium()->disperses) collapse(path);
+    addDirect(sum, at, met, out, frame, path, true, random, rays);
+    path.share = lightsAreFew_ ? 1 : 1 / static_cast<double>(lights_->lights().size());
     // Several indirect paths from here: the eye's ray and the connections to the lights cost more than one of them.
     for (std::uint32_t branch = 0; branch < branches; ++branch) {
       core::Sampler own(core::combine(key, indirectStream), sample * branches + branch);
-      if (!bsdf.sample(out, own.next2(), next, weight.v.data())) continue;
-      Spectral carried = throughput;
-      carried *= weight;
-      carried *= 1.0f / branches;
-      follow(sum, at.start, frame.toWorld(next.direction), carried, own, rays);
+      reflection::BsdfSample start;
+      if (!bsdf.sample(out, own.next2(), met.interface, start, weight.v.data())) continue;
+      Path indirect = path;
+      indirect.throughput *= 1.0f / branches;
+      if (goOn(indirect, met, at, frame, start, weight, false, own)) follow(sum, indirect, own, rays);
     }
     break;
   }

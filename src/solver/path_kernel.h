@@ -10,9 +10,20 @@
 
 #include "reflection/bsdf.h"
 #include "solver/light_list.h"
+#include "solver/media.h"
 #include "solver/solver.h"
 
 namespace goniolux::solver {
+
+/// Far beyond what Russian roulette lets live; guards against mirrors of reflectance 1.
+inline constexpr int mostReflections = 10000;
+
+/// Keys of the independent random streams of one estimate.
+inline constexpr std::uint64_t indirectStream = 0x1d1, lightStream = 0x119;
+
+inline double photopic(const Response& r) {
+  return r[1];
+}
 
 /// A spectral block: one value per node, zero beyond them.
 template <int W>
@@ -67,33 +78,72 @@ class PathSolver final : public Solver {
   struct Vertex {
     Vec3 point, start, normal;  ///< start: where rays leave
   };
+  /// A path under way, and what its last connections to the lights have already found.
+  struct Path {
+    Vec3 origin, direction;
+    Spectral throughput;
+    Media media;
+    std::size_t hero = 0;    ///< the node whose refractive index it follows
+    bool dispersed = false;  ///< it carries the light of that node only
+    bool connected = false;  ///< emitters met from here on are those that the last point was connected to
+    int mirrors = 0;         ///< plane mirrors met since
+    double density = 0;      ///< with which a glossy finish chose this direction; 0: connections found everything
+    double share = 1;        ///< a light's nominal probability of being connected to
+    Vec3 seenFrom{0};        ///< the last point, as it appears through those mirrors
+  };
+  struct Meeting {
+    tracer::Hit hit;
+    reflection::Interface interface;
+    const reflection::Bsdf* bsdf = nullptr;
+  };
 
   void add(Response& sum, std::uint32_t spectrum, const Spectral& throughput, double factor) const;
-  /// Follows a connection; false when something blocks it. `filter` gets the mirrors' reflectances.
+  /// Follows a connection; false when something blocks it. `filter` gets the reflectances of mirrors and the
+  /// transmittances of panes.
   bool connected(const Light& light, const Vertex& from, const Vec3& unfoldedDirection, double distance,
                  Spectral& filter, std::uint64_t& rays) const;
+  /// True when only panes lie on the way.
+  bool seenThroughPanes(Vec3 origin, const Vec3& direction, double length, Spectral& filter, std::uint64_t& rays) const;
   Response connectOnce(const LightPlan& plan, const Vertex& at, const core::Vec2& u, std::uint64_t& rays) const;
   /// Shadow rays towards a light: what share of it is seen, and how its samples scatter.
   void studyVisibility(LightPlan& entry, const Vertex& at, std::uint64_t key, std::uint64_t& rays) const;
   /// Unoccluded illuminance from a light with its mirrors' reflectances, as a response.
   Response exactResponse(const Light& light, double value) const;
-  void addDirect(Response& sum, const Vertex& at, const reflection::Bsdf& bsdf, const Vec3& out,
-                 const core::Frame& frame, const Spectral& throughput, bool everyLight, core::Sampler& random,
-                 std::uint64_t& rays) const;
-  /// Everything that arrives along a ray that left a point whose direct light is counted already.
-  void follow(Response& sum, Vec3 origin, Vec3 direction, Spectral throughput, core::Sampler& random,
-              std::uint64_t& rays) const;
+  void addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const core::Frame& frame,
+                 const Path& path, bool everyLight, core::Sampler& random, std::uint64_t& rays) const;
+  /// Everything that arrives along a path.
+  void follow(Response& sum, Path& path, core::Sampler& random, std::uint64_t& rays) const;
+  /// A path that starts at a receiver whose direct light is counted already.
+  [[nodiscard]] Path pathFrom(const Vertex& at, const core::Frame& frame, core::Sampler& random) const;
+  /// The next surface that does something to the light; absorption on the way is applied. False: none.
+  bool meet(Path& path, Meeting& met, std::uint64_t& rays) const;
+  /// Emitted light that the path finds at a hit, as far as connections did not find it.
+  void addEmitted(Response& sum, const Path& path, const tracer::Hit& hit) const;
+  /// Takes the path on in a sampled direction. False: it ends there (Russian roulette).
+  bool goOn(Path& path, const Meeting& met, const Vertex& at, const core::Frame& frame,
+            const reflection::BsdfSample& next, const Spectral& weight, bool roulette, core::Sampler& random) const;
+  void collapse(Path& path) const;
+  void chooseHero(Path& path, core::Sampler& random) const;
   /// The hit as a point to shade, on the side that the ray came from.
   [[nodiscard]] Vertex vertexAt(const tracer::Hit& hit, const Vec3& direction) const;
   [[nodiscard]] double emittedLuminance(const tracer::Hit& hit, const Vec3& towards, std::uint32_t& spectrum) const;
+  /// Index into World::emitters, or scene::none.
+  [[nodiscard]] std::uint32_t emitterAt(const tracer::Hit& hit) const;
+  [[nodiscard]] const reflection::Bsdf& bsdfOf(std::uint32_t surface) const {
+    return *bsdfs_[world_.surfaces[surface].material];
+  }
 
   const scene::World& world_;
   const tracer::Tracer& tracer_;
   std::vector<std::unique_ptr<reflection::Bsdf>> bsdfs_;    // per material
-  std::vector<Spectral> mirrorReflectance_;                 // per material; 1 where no mirror
+  std::vector<Spectral> mirrorReflectance_;                 // per material, at normal incidence; 1 where no mirror
   std::vector<std::vector<std::array<float, W>>> weights_;  // [spectrum][channel][node]
   std::unique_ptr<LightList> lights_;
+  std::vector<std::uint32_t> emitterOfTriangle_;  // index into World::emitters, of emitting finishes
+  std::vector<double> heroProbability_, heroCumulative_;
   bool lightsAreFew_ = false, losesCaustics_ = false;
+  bool hasMedia_ = false, disperses_ = false;
+  bool hasPanes_ = false;  ///< something goes straight through, or mirrors differently at different angles
 };
 
 }  // namespace goniolux::solver

@@ -65,6 +65,10 @@ std::string describe(const Key& key) {
       return "SPECTRUM of a source";
     case Form::quantity:
       return "SPECTRUM";
+    case Form::index:
+      return "SPECTRUM, or a formula: `{\"cauchy\": [A, B, C]}`, `{\"sellmeier\": {\"b\": […], \"c\": […]}}`";
+    case Form::numbers:
+      return "list of numbers";
     case Form::curve:
       return "list of pairs";
     case Form::section:
