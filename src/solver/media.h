@@ -15,6 +15,8 @@ namespace goniolux::solver {
 
 class Media {
  public:
+  Media() {}  // NOLINT: does not clear the list, for a path is made for every sample
+
   /// The medium here; null: air.
   [[nodiscard]] const reflection::Medium* here() const { return count_ > 0 ? inside_[strongest()].medium : nullptr; }
 
@@ -47,7 +49,7 @@ class Media {
     return best;
   }
 
-  std::array<Body, 8> inside_;  // the first count_ of them; not cleared, a path is made for every sample
+  std::array<Body, 8> inside_;  // the first count_ of them
   std::size_t count_ = 0;
 };
 

@@ -82,7 +82,7 @@ class PathSolver final : public Solver {
   struct Path {
     Vec3 origin, direction;
     Spectral throughput;
-    Media media;
+    Media media{};
     std::size_t hero = 0;    ///< the node whose refractive index it follows
     bool dispersed = false;  ///< it carries the light of that node only
     bool connected = false;  ///< emitters met from here on are those that the last point was connected to
