@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
 
+#include "analysis/remainder.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/statistics.h"
@@ -17,10 +19,13 @@ namespace goniolux::analysis {
 namespace {
 
 constexpr std::uint32_t pilotSamples = 8;
+constexpr std::size_t pilotPoints = 64;   // at least, when there are so many; the others go by their neighbours
+constexpr double remainderShare = 0.125;  // of the accuracy asked for, that the common error of all points may take
 constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
 constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
 constexpr double largestGrowth = 8;              // from then on
 constexpr int mostRounds = 12;
+constexpr std::uint64_t remainderKey = 0x4e3a;
 constexpr double shareAsked = 0.95;
 
 using Replicates = std::vector<std::vector<double>>;  // [replicate][point]
@@ -43,6 +48,7 @@ class GridRun {
         quantile_(core::studentQuantile(replicateCount - 1, accuracy.confidence)),
         plans_(receivers.size()),
         samples_(receivers.size(), pilotSamples),
+        gathered_(replicateCount, std::vector<double>(receivers.size())),
         replicates_(replicateCount, std::vector<double>(receivers.size())) {
     // A point's own half-width scatters (chi with 15 degrees of freedom); so that 95 % of them end within what was
     // asked, the expected one must stay below it by this factor.
@@ -69,8 +75,55 @@ class GridRun {
     });
     if (progress.cancelled()) return false;
     for (std::size_t j = 0; j < points.size(); ++j)
-      for (std::size_t r = 0; r < replicateCount; ++r) replicates_[r][points[j]] = fresh[r][j];
+      for (std::size_t r = 0; r < replicateCount; ++r) {
+        const std::size_t i = points[j];
+        gathered_[r][i] = fresh[r][j];
+        replicates_[r][i] = fresh[r][j] + remainder_.factors[r] * plans_[i]->interreflected;
+      }
     return true;
+  }
+
+  /// A first round at some of the points; sets the samples that each point needs, between them by the needier
+  /// neighbour. False when it was interrupted.
+  bool pilot(core::ProgressSink& progress) {
+    const std::size_t n = receivers_.size(), step = std::max<std::size_t>(1, n / pilotPoints);
+    remainder_.factors.assign(replicateCount, 0.0);
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < n; i += step) chosen.push_back(i);
+    if (!round(chosen, progress)) return false;
+
+    std::vector<double> value(chosen.size()), half(chosen.size());
+    double mean = 0;
+    for (std::size_t j = 0; j < chosen.size(); ++j) {
+      std::array<double, replicateCount> one{};
+      for (std::size_t r = 0; r < replicateCount; ++r) one[r] = replicates_[r][chosen[j]];
+      const core::ReplicateMean m = core::replicateMean(one);
+      value[j] = m.mean;
+      half[j] = quantile_ * m.standardError;
+      mean += m.mean / static_cast<double>(chosen.size());
+    }
+    roughMean_ = mean;
+    std::vector<double> need(chosen.size());
+    double pooled = 0;
+    for (std::size_t j = 0; j < chosen.size(); ++j) {
+      const double ratio = half[j] / roomFor(value[j], mean, plans_[chosen[j]]->quadratureBound);
+      need[j] = ratio * ratio * pilotSamples;
+      pooled += need[j] / static_cast<double>(chosen.size());
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = i / step, next = std::min(j + 1, chosen.size() - 1);
+      const double own = i % step == 0 ? need[j] : std::max(need[j], need[next]);
+      samples_[i] =
+          netSize(std::clamp(steadied(own, pooled) * margin_ * margin_, 1.0, largestFirstGrowth * pilotSamples));
+    }
+    return true;
+  }
+
+  /// Measures what the solver misses; rounds after this add it.
+  void findRemainder(core::ProgressSink& progress) {
+    remainder_ =
+        estimateRemainder(solver_, receivers_, plans_, core::combine(key_, remainderKey),
+                          remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence, progress);
   }
 
   GridEstimate estimate() const {
@@ -86,19 +139,24 @@ class GridRun {
       e.quadrature[i] = plans_[i]->quadratureBound;
       e.samples += static_cast<std::uint64_t>(samples_[i]) * replicateCount;
     }
-    summarise(replicates_, e.quadrature, accuracy_.confidence, e);
+    e.interreflection.resize(n);
+    for (std::size_t i = 0; i < n; ++i) e.interreflection[i] = remainder_.spread * plans_[i]->interreflected;
+    Systematic bias{{"source_subdivision", e.quadrature}};
+    if (!solver_.isUnbiased()) bias["interreflection"] = e.interreflection;
+    summarise(replicates_, bias, accuracy_.confidence, e);
+    e.samples += remainder_.paths;
     std::size_t within = 0;
-    for (std::size_t i = 0; i < n; ++i) within += halfWidth(e, i) <= allowed(e, e.values[i]);
+    for (std::size_t i = 0; i < n; ++i) within += halfWidth(e, i) <= allowed(e.values[i], e.mean.value);
     e.shareWithin = static_cast<double>(within) / static_cast<double>(n);
     e.reached = pointsReached(e) && extremesReached(e);
     return e;
   }
 
   bool pointsReached(const GridEstimate& e) const {
-    return e.shareWithin >= shareAsked && e.mean.halfWidth() <= allowed(e, e.mean.value);
+    return e.shareWithin >= shareAsked && e.mean.halfWidth() <= allowed(e.mean.value, e.mean.value);
   }
   bool extremesReached(const GridEstimate& e) const {
-    return e.minimum.halfWidth() <= allowed(e, e.minimum.value) &&
+    return e.minimum.halfWidth() <= allowed(e.minimum.value, e.mean.value) &&
            (e.u0.value <= 0.1 || e.u0.halfWidth() <= accuracy_.uniformity * e.u0.value);
   }
 
@@ -109,20 +167,17 @@ class GridRun {
     std::vector<double> need(n);
     double pooled = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double ratio = e.statistical[i] / roomFor(e, i);
+      const double ratio = e.statistical[i] / roomFor(e.values[i], e.mean.value, systematic(e, i));
       need[i] = ratio * ratio * samples_[i];
       pooled += need[i] / static_cast<double>(n);
     }
-    // After the pilot every point is estimated; after that only those that are not yet good enough are estimated anew,
-    // or all of them when it is the mean that is not.
-    const bool all = round_ == 1 || e.mean.halfWidth() > allowed(e, e.mean.value);
+    // Only the points that are not yet good enough are estimated anew, or all of them when it is the mean that is not.
+    const bool all = e.mean.halfWidth() > allowed(e.mean.value, e.mean.value);
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < n; ++i) {
-      if (!all && halfWidth(e, i) <= allowed(e, e.values[i])) continue;
-      const double steadied = 0.75 * need[i] + 0.25 * std::min(pooled, 4 * need[i]);
-      const double growth = round_ == 1 ? largestFirstGrowth : largestGrowth;
-      const double wanted = std::min(steadied * margin_ * margin_, growth * samples_[i]);
-      samples_[i] = netSize(std::max(wanted, round_ == 1 ? 1.0 : 1.25 * samples_[i]));
+      if (!all && halfWidth(e, i) <= allowed(e.values[i], e.mean.value)) continue;
+      const double wanted = std::min(steadied(need[i], pooled) * margin_ * margin_, largestGrowth * samples_[i]);
+      samples_[i] = netSize(std::max(wanted, 1.25 * samples_[i]));
       points.push_back(i);
     }
     return points;
@@ -130,7 +185,7 @@ class GridRun {
 
   /// More samples for the points that may be the minimum; returns them.
   std::vector<std::size_t> refineMinimum(const GridEstimate& e) {
-    const double room = std::min(allowed(e, e.minimum.value), 0.7 * accuracy_.uniformity * e.minimum.value);
+    const double room = std::min(allowed(e.minimum.value, e.mean.value), 0.7 * accuracy_.uniformity * e.minimum.value);
     double growth = std::pow(1.15 * e.minimum.halfWidth() / std::max(room, 1e-300), 2);
     growth = std::clamp(growth, 1.5, largestGrowth);
     double upper = std::numeric_limits<double>::infinity();
@@ -150,31 +205,48 @@ class GridRun {
   [[nodiscard]] std::uint64_t pointKey(std::size_t point, std::uint64_t round) const {
     return core::combine(core::combine(key_, point), round);
   }
+  [[nodiscard]] static double systematic(const GridEstimate& e, std::size_t i) {
+    return e.quadrature[i] + e.interreflection[i];
+  }
   [[nodiscard]] static double halfWidth(const GridEstimate& e, std::size_t i) {
-    return e.statistical[i] + e.quadrature[i];
+    return e.statistical[i] + systematic(e, i);
   }
   /// The half-width allowed for a value: the asked share of it, or of a tenth of the grid's mean where it is below
   /// that.
-  [[nodiscard]] double allowed(const GridEstimate& e, double value) const {
-    return std::max(accuracy_.relative * std::max(std::abs(value), 0.1 * std::abs(e.mean.value)),
-                    accuracy_.absoluteFloor);
+  [[nodiscard]] double allowed(double value, double mean) const {
+    return std::max(accuracy_.relative * std::max(std::abs(value), 0.1 * std::abs(mean)), accuracy_.absoluteFloor);
   }
-  /// What of it is left for noise at a point.
-  [[nodiscard]] double roomFor(const GridEstimate& e, std::size_t i) const {
-    const double all = allowed(e, e.values[i]);
-    return std::max(all - e.quadrature[i], 0.1 * all);
+  /// What of it is left for noise.
+  [[nodiscard]] double roomFor(double value, double mean, double systematic) const {
+    const double all = allowed(value, mean);
+    return std::max(all - systematic, 0.1 * all);
+  }
+  [[nodiscard]] static double steadied(double own, double pooled) {
+    return 0.75 * own + 0.25 * std::min(pooled, 4 * own);
   }
 
   const solver::Solver& solver_;
   const std::vector<solver::Receiver>& receivers_;
   std::uint64_t key_;
   GridAccuracy accuracy_;
-  double quantile_, margin_;
+  double quantile_, margin_, roughMean_ = 0;
   std::vector<std::unique_ptr<solver::ReceiverPlan>> plans_;
   std::vector<std::uint32_t> samples_;
-  Replicates replicates_;
+  Replicates gathered_;    // as the solver estimates them
+  Replicates replicates_;  // the same with what it misses added
+  Remainder remainder_;
   std::uint64_t round_ = 0;
 };
+
+/// What an interrupted run has before its first estimate: no numbers at all.
+GridEstimate nothingYet(std::size_t points) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  GridEstimate e;
+  e.values.assign(points, nan);
+  e.statistical = e.quadrature = e.interreflection = e.values;
+  for (core::Estimate* summary : {&e.mean, &e.minimum, &e.maximum, &e.u0, &e.ud}) *summary = {nan, nan, {}};
+  return e;
+}
 
 }  // namespace
 
@@ -190,24 +262,27 @@ GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver
   run.plan();
   std::vector<std::size_t> points(receivers.size());
   std::iota(points.begin(), points.end(), std::size_t{0});
-  run.round(points, progress);
-  GridEstimate estimate = run.estimate();
-  for (int round = 1; round < mostRounds && !progress.cancelled() && seconds() < limit.secondsLeft; ++round) {
-    // The pilot is never the answer: it decides, fresh samples estimate.
-    if (round > 1 && estimate.reached) break;
-    points = round == 1 || !run.pointsReached(estimate) ? run.refine(estimate) : run.refineMinimum(estimate);
+  // The pilot is never the answer: it decides, fresh samples estimate.
+  if (run.pilot(progress)) {
+    progress.progress(task, 0.1, "what the light solution misses");
+    run.findRemainder(progress);
+  }
+  GridEstimate estimate = nothingYet(receivers.size());
+  for (int round = 1; round < mostRounds; ++round) {
+    if (!run.round(points, progress)) break;
+    estimate = run.estimate();
     progress.progress(
         task, std::min(0.95, estimate.shareWithin * 0.9),
         fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
-    if (!run.round(points, progress)) break;
-    estimate = run.estimate();
+    if (estimate.reached || seconds() >= limit.secondsLeft) break;
+    points = run.pointsReached(estimate) ? run.refineMinimum(estimate) : run.refine(estimate);
   }
   progress.progress(task, 1,
                     fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
   return estimate;
 }
 
-void summarise(const Replicates& replicates, const std::vector<double>& bias, double confidence, GridEstimate& e) {
+void summarise(const Replicates& replicates, const Systematic& bias, double confidence, GridEstimate& e) {
   const std::size_t points = e.values.size();
   const double dof = static_cast<double>(replicates.size()) - 1;
   const double quantile = core::studentQuantile(dof, confidence);
@@ -217,8 +292,9 @@ void summarise(const Replicates& replicates, const std::vector<double>& bias, do
   for (std::size_t r = 0; r < replicates.size(); ++r)
     means[r] = std::accumulate(replicates[r].begin(), replicates[r].end(), 0.0) / count;
   const core::ReplicateMean mean = core::replicateMean(means);
-  const double meanBias = std::accumulate(bias.begin(), bias.end(), 0.0) / count;
-  e.mean = {mean.mean, quantile * mean.standardError, {{"source_subdivision", meanBias}}};
+  e.mean = {mean.mean, quantile * mean.standardError, {}};
+  for (const auto& [cause, bounds] : bias)
+    e.mean.systematic[cause] = std::accumulate(bounds.begin(), bounds.end(), 0.0) / count;
 
   // The minimum of noisy values is low by itself. Its interval: from the lowest lower end to the lowest upper end of
   // intervals that hold together for all points that may be the minimum (Sidak). The maximum is the minimum of the
@@ -229,13 +305,16 @@ void summarise(const Replicates& replicates, const std::vector<double>& bias, do
     std::size_t candidates = 0;
     for (std::size_t i = 0; i < points; ++i) candidates += sign * e.values[i] - 2 * e.statistical[i] <= upper;
     const double together = core::studentQuantile(dof, core::sidak(confidence, candidates)) / quantile;
-    double low = std::numeric_limits<double>::infinity(), high = low, value = low, itsBias = 0;
+    double low = std::numeric_limits<double>::infinity(), high = low, value = low;
+    std::size_t where = 0;
     for (std::size_t i = 0; i < points; ++i) {
       low = std::min(low, sign * e.values[i] - together * e.statistical[i]);
       high = std::min(high, sign * e.values[i] + together * e.statistical[i]);
-      if (sign * e.values[i] < value) value = sign * e.values[i], itsBias = bias[i];
+      if (sign * e.values[i] < value) value = sign * e.values[i], where = i;
     }
-    return core::Estimate{sign * value, std::max(value - low, high - value), {{"source_subdivision", itsBias}}};
+    core::Estimate result{sign * value, std::max(value - low, high - value), {}};
+    for (const auto& [cause, bounds] : bias) result.systematic[cause] = bounds[where];
+    return result;
   };
   e.minimum = extreme(1);
   e.maximum = extreme(-1);
@@ -246,8 +325,9 @@ void summarise(const Replicates& replicates, const std::vector<double>& bias, do
     const auto relative = [](double part, double of) { return of != 0 ? part / std::abs(of) : 0.0; };
     core::Estimate r{
         value, std::abs(value) * (relative(a.statistical, a.value) + relative(b.statistical, b.value)), {}};
-    r.systematic["source_subdivision"] = std::abs(value) * (relative(a.halfWidth() - a.statistical, a.value) +
-                                                            relative(b.halfWidth() - b.statistical, b.value));
+    for (const auto* part : {&a, &b})
+      for (const auto& [cause, bound] : part->systematic)
+        r.systematic[cause] += std::abs(value) * relative(bound, part->value);
     return r;
   };
   e.u0 = ratio(e.minimum, e.mean);

@@ -9,6 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/estimate.h"
@@ -33,7 +35,9 @@ struct EffortLimit {
 
 /// One quantity per receiver; order as given.
 struct GridEstimate {
-  std::vector<double> values, statistical, quadrature;  ///< lx; `quadrature`: bound of the source-subdivision error
+  std::vector<double> values, statistical;  ///< lx
+  std::vector<double> quadrature;           ///< lx, bound of the source-subdivision error
+  std::vector<double> interreflection;      ///< lx, bound of what a light solution misses unevenly over the grid
   core::Estimate mean, minimum, maximum, u0, ud;
   double shareWithin = 0;  ///< share of the points whose half-width is within the accuracy asked for
   bool reached = false;
@@ -46,10 +50,12 @@ GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver
                           std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
                           core::ProgressSink& progress, const std::string& task);
 
-/// Mean, minimum, maximum and uniformities of noisy values; `replicates[r][i]` is replicate r of point i, `bias[i]` a
-/// bound of the deterministic error. The extremes are order statistics of noisy values: their intervals hold for all
-/// candidates together.
-void summarise(const std::vector<std::vector<double>>& replicates, const std::vector<double>& bias, double confidence,
+/// A bound of the deterministic error of each point, by cause.
+using Systematic = std::map<std::string, std::vector<double>>;
+
+/// Mean, minimum, maximum and uniformities of noisy values; `replicates[r][i]` is replicate r of point i. The extremes
+/// are order statistics of noisy values: their intervals hold for all candidates together.
+void summarise(const std::vector<std::vector<double>>& replicates, const Systematic& bias, double confidence,
                GridEstimate& estimate);
 
 }  // namespace goniolux::analysis

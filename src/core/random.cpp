@@ -1,5 +1,6 @@
 #include "core/random.h"
 
+#include <array>
 #include <bit>
 
 namespace goniolux::core {
@@ -54,20 +55,32 @@ constexpr SobolMatrices sobol;
 
 }  // namespace
 
-void Sampler::refill() {
-  const std::uint64_t seed = combine(key_, group_);
-  std::uint32_t index = owenScramble(sample_, static_cast<std::uint32_t>(seed));
-  std::array<std::uint32_t, 4> x{};
-  for (; index != 0; index &= index - 1) {
-    const auto bit = static_cast<unsigned>(std::countr_zero(index));
-    for (unsigned d = 0; d < 4; ++d) x[d] ^= sobol.column[d][bit];
-  }
-  for (unsigned d = 0; d < 4; ++d) {
-    const auto scramble = static_cast<std::uint32_t>(mix(seed + d + 1) >> 32);
-    values_[d] = owenScramble(x[d], scramble) * 0x1p-32;
-  }
-  ++group_;
+void Sampler::nextGroup() {
+  seed_ = combine(key_, group_++);
+  index_ = owenScramble(sample_, static_cast<std::uint32_t>(seed_));
   used_ = 0;
+}
+
+double Sampler::value(unsigned d) const {
+  const auto scramble = static_cast<std::uint32_t>(mix(seed_ + d + 1) >> 32);
+  std::uint32_t reversed;  // of the Sobol point's digits
+  if (d == 0) {
+    reversed = index_;  // the first matrix is the identity
+  } else if (d == 1) {
+    // The second is Pascal's triangle modulo 2, which factors into shifts.
+    reversed = index_;
+    reversed ^= (reversed & 0xaaaaaaaau) >> 1;
+    reversed ^= (reversed & 0xccccccccu) >> 2;
+    reversed ^= (reversed & 0xf0f0f0f0u) >> 4;
+    reversed ^= (reversed & 0xff00ff00u) >> 8;
+    reversed ^= (reversed & 0xffff0000u) >> 16;
+  } else {
+    std::uint32_t x = 0;
+    for (std::uint32_t index = index_; index != 0; index &= index - 1)
+      x ^= sobol.column[d][static_cast<unsigned>(std::countr_zero(index))];
+    reversed = reverseBits(x);
+  }
+  return reverseBits(laineKarras(reversed, scramble)) * 0x1p-32;
 }
 
 }  // namespace goniolux::core

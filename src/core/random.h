@@ -7,7 +7,6 @@
 // 2008.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "core/vector.h"
@@ -32,24 +31,25 @@ class Sampler {
 
   /// Next dimension, in [0, 1).
   double next() {
-    if (used_ == 4) refill();
-    return values_[used_++];
+    if (used_ == 4) nextGroup();
+    return value(used_++);
   }
   /// Next two dimensions, from the same group of four (never split over two groups).
   Vec2 next2() {
-    if (used_ > 2) refill();
-    const Vec2 u(values_[used_], values_[used_ + 1]);
+    if (used_ > 2) nextGroup();
+    const Vec2 u(value(used_), value(used_ + 1));
     used_ += 2;
     return u;
   }
 
  private:
-  void refill();
+  void nextGroup();
+  /// Dimension d of the present group; calculated when asked for: most samples use two of the four.
+  [[nodiscard]] double value(unsigned d) const;
 
-  std::uint64_t key_;
-  std::uint32_t sample_, group_ = 0;
+  std::uint64_t key_, seed_ = 0;
+  std::uint32_t sample_, index_ = 0, group_ = 0;
   unsigned used_ = 4;
-  std::array<double, 4> values_{};
 };
 
 }  // namespace goniolux::core

@@ -107,14 +107,17 @@ class GridStage {
     const double spectral = engine_.plan.spectralBound;
     result.values.assign(n, nan);
     result.halfWidths.assign(n, nan);
+    const bool solved = !engine_.solver->isUnbiased();
     for (const char* part : {"statistical", "source_subdivision", "spectral"}) result.parts[part].assign(n, nan);
+    if (solved) result.parts["interreflection"].assign(n, nan);
     for (std::size_t j = 0; j < index.size(); ++j) {
       const std::size_t i = index[j];
       result.values[i] = e.values[j];
       result.parts["statistical"][i] = e.statistical[j];
       result.parts["source_subdivision"][i] = e.quadrature[j];
       result.parts["spectral"][i] = spectral * e.values[j];
-      result.halfWidths[i] = e.statistical[j] + e.quadrature[j] + spectral * e.values[j];
+      if (solved) result.parts["interreflection"][i] = e.interreflection[j];
+      result.halfWidths[i] = e.statistical[j] + e.quadrature[j] + e.interreflection[j] + spectral * e.values[j];
     }
     const auto withSpectral = [&](core::Estimate estimate) {
       estimate.systematic["spectral"] = spectral * std::abs(estimate.value);

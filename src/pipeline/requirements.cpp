@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace goniolux::pipeline {
@@ -26,6 +27,7 @@ std::optional<core::Estimate> quantityOf(const project::Results& results, const 
 }
 
 Verdict verdictOf(const core::Estimate& e, const analysis::Limit& limit) {
+  if (!std::isfinite(e.value)) return Verdict::undecided;  // an interrupted run
   const double low = e.value - e.halfWidth(), high = e.value + e.halfWidth();
   if ((limit.minimum && high < *limit.minimum) || (limit.maximum && low > *limit.maximum)) return Verdict::fail;
   if ((limit.minimum && low < *limit.minimum) || (limit.maximum && high > *limit.maximum)) return Verdict::undecided;

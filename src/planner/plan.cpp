@@ -15,8 +15,9 @@ constexpr double spectralShare = 0.1;
 
 void chooseSolver(const project::Project& project, Plan& plan) {
   if (project.settings.solver == "auto") {
-    plan.solver = "path";
-    plan.reasons.emplace_back("solver path: closed-form direct light and unbiased interreflection");
+    plan.solver = "gather";
+    plan.reasons.emplace_back(
+        "solver gather: closed-form direct light, and paths that end in a light solution whose error is measured");
     return;
   }
   if (solver::findSolverType(project.settings.solver) == nullptr) {
@@ -78,6 +79,8 @@ void chooseSpectral(const project::Project& project, const scene::World& world, 
 
 Plan makePlan(const project::Project& project, const scene::World& world, bool forColour) {
   Plan plan;
+  const auto& asked = project.settings.accuracy;
+  plan.accuracy = forColour ? std::min(asked.grid, asked.image) : asked.grid;
   chooseSolver(project, plan);
   chooseSpectral(project, world, forColour, plan);
   const std::size_t nodes = plan.quadrature.wavelengths.size();

@@ -21,6 +21,7 @@ struct Omission {
 struct Plan {
   std::string solver;
   spectrum::SpectralQuadrature quadrature;
+  double accuracy = 0.01;    ///< relative, the finest that is asked of what will be calculated
   double spectralBound = 0;  ///< largest relative error of an illuminance over the likely light paths
   double colourBound = 0;    ///< largest CIEDE2000 over them
   std::vector<Omission> leftOut;

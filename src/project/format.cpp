@@ -2,11 +2,25 @@
 
 #include <algorithm>
 
+#include "solver/solver.h"
+
 namespace goniolux::project {
 namespace {
 
 constexpr double largestSeed = 9007199254740992.0;  // 2^53: whole numbers of JSON are doubles
 constexpr double mostPixels = 32768;
+
+/// "auto" and every solver of the registry.
+std::vector<std::string> solverNames() {
+  std::vector<std::string> names{"auto"};
+  for (const solver::SolverType& type : solver::solverTypes()) names.push_back(type.name);
+  return names;
+}
+
+std::vector<std::string> plannedSolvers() {
+  if (solver::findSolverType("tree") != nullptr) return {};
+  return {"tree"};
+}
 
 Key limitKey(const char* name, const char* help) {
   return {.name = name, .form = Form::section, .help = help, .section = &limitSection()};
@@ -171,8 +185,8 @@ const Section& settingsSection() {
        {.name = "solver",
         .form = Form::choice,
         .help = "default auto",
-        .choices = {"auto", "path"},
-        .planned = {"tree"}},
+        .choices = solverNames(),
+        .planned = plannedSolvers()},
        {.name = "reflection_model",
         .form = Form::choice,
         .help = "default: each material's own",

@@ -105,9 +105,12 @@ class Builder {
       const std::uint32_t surface = partSurface[mesh.parts[t]];
       addTriangle(a, b, c, surface);
       const Surface& finish = world_.surfaces[surface];
-      if (finish.luminance > 0 && glm::length(glm::cross(b - a, c - a)) > 0)
+      if (finish.luminance > 0 && glm::length(glm::cross(b - a, c - a)) > 0) {
+        geometry::Bounds bounds;
+        bounds.add(a), bounds.add(b), bounds.add(c);
         world_.emitters.push_back(
-            {emitter::makeTriangleEmitter(a, b, c, finish.luminance * core::pi), finish.spectrum, none, true});
+            {emitter::makeTriangleEmitter(a, b, c, finish.luminance * core::pi), finish.spectrum, none, true, bounds});
+      }
     }
     for (const auto& patch : object.shape.patches) addPatch(patch, toWorld, partSurface[patch.part]);
     world_.chordError = std::max(world_.chordError, object.shape.chordError);
@@ -161,14 +164,26 @@ class Builder {
     const bool lit = made->flux() > 0;
     const bool hasGeometry = opening.shape != Opening::Shape::point && opening.shape != Opening::Shape::line;
     if (lit) {
-      world_.emitters.push_back({std::move(made), luminaire.spectrum, index, hasGeometry});
+      world_.emitters.push_back({std::move(made), luminaire.spectrum, index, hasGeometry, {}});
       source = static_cast<std::uint32_t>(world_.emitters.size() - 1);
+    }
+    if (lit && !hasGeometry) {
+      const Vec3 half = opening.shape == Opening::Shape::line ? opening.axis * (0.5 * opening.length) : Vec3(0);
+      world_.emitters[source].bounds.add(center - half);
+      world_.emitters[source].bounds.add(center + half);
     }
     if (!hasGeometry) return;
     Surface surface;
     surface.material = openingMaterial(luminaire);
     surface.emitter = source;
+    const std::size_t firstTriangle = world_.triangles.size(), firstPatch = world_.patches.size();
     addOpeningGeometry(opening, luminaire.frame, center, addSurface(surface));
+    if (!lit) return;
+    geometry::Bounds& bounds = world_.emitters[source].bounds;
+    for (std::size_t t = firstTriangle; t < world_.triangles.size(); ++t)
+      for (const std::uint32_t corner : world_.triangles[t]) bounds.add(world_.vertices[corner]);
+    for (std::size_t p = firstPatch; p < world_.patches.size(); ++p)
+      bounds.add(geometry::boundsOf(world_.patches[p].patch));
   }
 
   void addOpeningGeometry(const Opening& opening, const photometry::LuminaireFrame& frame, const Vec3& center,

@@ -13,6 +13,7 @@
 
 #include "core/vector.h"
 #include "emitter/emitter.h"
+#include "geometry/bounds.h"
 #include "geometry/shape.h"
 #include "material/material.h"
 #include "scene/environment.h"
@@ -42,6 +43,7 @@ struct LightSource {
   std::uint32_t spectrum = 0;      ///< index into World::sourceSpectra
   std::uint32_t luminaire = none;  ///< index into Environment::luminaires; none for an emitting surface
   bool hasGeometry = false;        ///< rays can hit it
+  geometry::Bounds bounds{};       ///< of what emits
 };
 
 struct World {

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "solver/path_connections.h"
+#include "solver/path_receiver.h"
 #include "solver/path_steps.h"
 
 namespace goniolux::solver {
@@ -11,29 +12,17 @@ namespace {
 
 // With this many lights or fewer, a vertex that the camera sees is connected to each of them.
 constexpr std::size_t fewLights = 8;
-// Shadow rays of a receiver's pilot, over all lights: a light that is blocked by less than these can see spoils at most
-// a few tenths of a percent.
-constexpr double pilotRays = 512;
-constexpr std::uint32_t pilotPaths = 16;
-constexpr double quadratureTolerance = 1e-4;
 // Indirect paths per sample of a pixel.
 constexpr std::uint32_t branches = 4;
-core::Frame frameAbout(const core::Vec3& normal) {
-  core::Frame frame;
-  frame.z = normal;
-  core::perpendiculars(normal, frame.x, frame.y);
-  return frame;
-}
-
-core::Vec3 cosineDirection(const core::Frame& frame, const core::Vec2& u) {
-  const double r = std::sqrt(u.x), angle = 2 * core::pi * u.y;
-  return frame.toWorld({r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0, 1 - u.x))});
-}
 
 }  // namespace
 
 template <int W>
-PathSolver<W>::PathSolver(const Problem& problem) : world_(problem.world), tracer_(problem.tracer) {
+PathSolver<W>::PathSolver(const Problem& problem)
+    : world_(problem.world),
+      tracer_(problem.tracer),
+      freeView_(problem.world),
+      pilotRays_(std::clamp(pilotRaysTimesAccuracy / problem.accuracy, 128.0, 4096.0)) {
   const spectrum::SpectralQuadrature& quadrature = problem.quadrature;
   assert(quadrature.wavelengths.size() <= static_cast<std::size_t>(W));
   std::vector<bool> isMirror;
@@ -115,109 +104,58 @@ void PathSolver<W>::add(Response& sum, std::uint32_t spectrum, const Spectral& t
 }
 
 template <int W>
-std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std::uint64_t key) const {
-  auto plan = std::make_unique<Plan>();
-  const Vertex at{receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
-  std::uint64_t rays = 0;
-
-  std::vector<emitter::Illuminance> unoccluded;
-  double total = 0;
-  for (std::uint32_t i = 0; i < lights_->lights().size(); ++i) {
-    const Light& light = lights_->lights()[i];
-    const Unfolded seen = lights_->unfold(light, receiver.point, receiver.normal);
-    if (light.emitter->importance(seen.point, seen.normal) == 0) continue;
-    const emitter::Illuminance e = light.emitter->illuminance(seen.point, seen.normal, quadratureTolerance);
-    if (e.value == 0 && e.bound == 0) continue;
-    plan->lights.push_back({i, false, 0, 0});
-    unoccluded.push_back(e);
-    total += e.value;
-  }
-  for (std::size_t i = 0; i < plan->lights.size(); ++i) {
-    LightPlan& entry = plan->lights[i];
-    // In proportion to what a light that was wrongly thought to be free could spoil.
-    const double share = total > 0 ? unoccluded[i].value / total : 0;
-    entry.pilot = static_cast<std::uint32_t>(std::clamp(std::ceil(pilotRays * share), 4.0, 256.0));
-    studyVisibility(entry, at, key, rays);
-    if (!entry.fromExact) continue;
-    const Response exact = exactResponse(lights_->lights()[entry.light], unoccluded[i].value);
-    for (std::size_t c = 0; c < exact.size(); ++c) plan->exact[c] += exact[c];
-    plan->quadratureBound += unoccluded[i].bound;
-  }
-
-  // Spread of single paths, for sharing effort between paths and shadow rays.
-  const core::Frame frame = frameAbout(receiver.normal);
-  double sum = 0, squares = 0;
-  for (std::uint32_t i = 0; i < pilotPaths; ++i) {
-    core::Sampler random(core::combine(key, indirectStream), i);
-    Response arrived{};
-    Path path = pathFrom(at, frame, random);
-    follow(arrived, path, random, rays);
-    sum += photopic(arrived);
-    squares += photopic(arrived) * photopic(arrived);
-  }
-  const double mean = sum / pilotPaths;
-  plan->indirectSigma = std::sqrt(std::max(0.0, squares / pilotPaths - mean * mean));
-  rays_.fetch_add(rays, std::memory_order_relaxed);
-  return plan;
-}
-
-template <int W>
-Response PathSolver<W>::illuminance(const Receiver& receiver, const ReceiverPlan& generalPlan, std::uint64_t key,
-                                    std::uint32_t samples) const {
-  const auto& plan = static_cast<const Plan&>(generalPlan);
-  const Vertex at{receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
-  std::uint64_t rays = 0;
-  Response result = plan.exact;
-
-  for (const LightPlan& entry : plan.lights) {
-    // Shadow rays in proportion to their spread; a path costs some six of them.
-    const double share = plan.indirectSigma > 0 ? 2.5 * entry.sigma / plan.indirectSigma : entry.sigma > 0 ? 1.0 : 0.0;
-    const double least = std::ceil(entry.pilot / 16.0);
-    const auto count =
-        static_cast<std::uint32_t>(std::max(least, std::min(std::ceil(samples * share), 16.0 * samples)));
-    Response sum{};
-    for (std::uint32_t i = 0; i < count; ++i) {
-      core::Sampler random(core::combine(core::combine(key, lightStream), entry.light), i);
-      const Response one = connectOnce(entry, at, random.next2(), rays);
-      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += one[c];
-    }
-    for (std::size_t c = 0; c < sum.size(); ++c) result[c] += sum[c] / count;
-  }
-
-  const core::Frame frame = frameAbout(receiver.normal);
-  Response sum{};
-  const std::uint64_t stream = core::combine(key, indirectStream);
-  for (std::uint32_t i = 0; i < samples; ++i) {
-    core::Sampler random(stream, i);
-    Path path = pathFrom(at, frame, random);
-    follow(sum, path, random, rays);
-  }
-  for (std::size_t c = 0; c < sum.size(); ++c) result[c] += sum[c] / samples;
-  rays_.fetch_add(rays, std::memory_order_relaxed);
-  return result;
-}
-
-template <int W>
 typename PathSolver<W>::Path PathSolver<W>::pathFrom(const Vertex& at, const core::Frame& frame,
                                                      core::Sampler& random) const {
   Path path{at.start, cosineDirection(frame, random.next2()), Spectral::filled(static_cast<float>(core::pi))};
   chooseHero(path, random);
   path.connected = true;
+  path.white = core::pi;
   return path;
 }
 
 template <int W>
-void PathSolver<W>::follow(Response& sum, Path& path, core::Sampler& random, std::uint64_t& rays) const {
+std::uint32_t PathSolver<W>::cellAt(const tracer::Hit& hit, const Vertex& at) const {
+  // A cell stands for a point only from some way off: near by, its mean light is not that of the point.
+  if (hit.distance < solution_->cellSize()) return LightSolution::none;
+  const std::uint32_t cell = solution_->find(hit.surface, at.point, at.normal);
+  return cell == LightSolution::none || solution_->isRough(cell) ? LightSolution::none : cell;
+}
+
+template <int W>
+void PathSolver<W>::addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const {
+  for (std::uint32_t s = 0; s < solution_->sources(); ++s) {
+    Spectral light = throughput;
+    const float* radiance = solution_->radiance(cell, s);
+#pragma omp simd
+    for (int k = 0; k < W; ++k) light.v[k] *= radiance[k];
+    add(sum, s, light, factor);
+  }
+}
+
+template <int W>
+void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const {
   Meeting met;
   for (int reflections = 1; reflections <= mostReflections; ++reflections) {
     if (!meet(path, met, rays)) return;
-    addEmitted(sum, path, met.hit);
+    // What lies before the place where the path would have ended is no part of the remainder.
+    if (ending != Ending::remainder) addEmitted(sum, path, met.hit);
     const Vertex at = vertexAt(met.hit, path.direction);
+    if (ending != Ending::never && met.bsdf->isLambertian()) {
+      if (const std::uint32_t cell = cellAt(met.hit, at); cell != LightSolution::none) {
+        if (ending == Ending::solution && path.white > 0) {
+          for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += path.white * solution_->response(cell)[c];
+          return;
+        }
+        addCell(sum, cell, path.throughput, ending == Ending::solution ? 1 : -1);
+        if (ending == Ending::solution) return;
+        ending = Ending::never;
+      }
+    }
     const core::Frame frame = frameAbout(at.normal);
     const Vec3 out = frame.toLocal(-path.direction);
     if (met.bsdf->lobes().spread) {
       if (hasMedia_ && met.bsdf->medium() != nullptr && met.bsdf->medium()->disperses) collapse(path);
-      addDirect(sum, at, met, out, frame, path, false, random, rays);
+      if (ending != Ending::remainder) addDirect(sum, at, met, out, frame, path, false, random, rays);
       path.share = 1 / static_cast<double>(lights_->lights().size());
     }
     reflection::BsdfSample next;
@@ -261,7 +199,7 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
       if (!bsdf.sample(out, own.next2(), met.interface, start, weight.v.data())) continue;
       Path indirect = path;
       indirect.throughput *= 1.0f / branches;
-      if (goOn(indirect, met, at, frame, start, weight, false, own)) follow(sum, indirect, own, rays);
+      if (goOn(indirect, met, at, frame, start, weight, false, own)) follow(sum, indirect, ending(), own, rays);
     }
     break;
   }

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "reflection/bsdf.h"
+#include "solver/free_view.h"
 #include "solver/light_list.h"
+#include "solver/light_solution.h"
 #include "solver/media.h"
 #include "solver/solver.h"
 
@@ -45,8 +47,15 @@ struct alignas(W >= 8 ? 32 : 4 * W) Block {
   [[nodiscard]] float largest() const { return *std::max_element(v.begin(), v.end()); }
 };
 
+/// Where a path may end in a light solution instead of going on.
+enum class Ending {
+  never,     ///< the path goes on to its own end
+  solution,  ///< at the first point that the solution answers for
+  remainder  ///< the path goes on, and the solution's answer is taken away: what ending there would have missed
+};
+
 template <int W>
-class PathSolver final : public Solver {
+class PathSolver : public Solver {
  public:
   explicit PathSolver(const Problem& problem);
 
@@ -57,7 +66,7 @@ class PathSolver final : public Solver {
                                   std::uint32_t sample) const override;
   [[nodiscard]] std::vector<std::string> leftOut() const override;
 
- private:
+ protected:
   using Vec3 = core::Vec3;
   using Spectral = Block<W>;
 
@@ -67,7 +76,7 @@ class PathSolver final : public Solver {
     bool fromExact;  ///< the estimate starts from the unoccluded value and takes away what is blocked; else it adds
                      ///< what is seen
     double sigma;    ///< standard deviation of one sample, lx
-    std::uint32_t pilot;  ///< shadow rays that found this out
+    std::uint32_t pilot;  ///< shadow rays that found this out; 0: nothing can stand in the way
   };
   struct Plan final : ReceiverPlan {
     Response exact{};  ///< deterministic part
@@ -90,6 +99,7 @@ class PathSolver final : public Solver {
     double density = 0;      ///< with which a glossy finish chose this direction; 0: connections found everything
     double share = 1;        ///< a light's nominal probability of being connected to
     Vec3 seenFrom{0};        ///< the last point, as it appears through those mirrors
+    double white = 0;        ///< it carries every wavelength alike, times this; 0: no longer
   };
   struct Meeting {
     tracer::Hit hit;
@@ -112,7 +122,17 @@ class PathSolver final : public Solver {
   void addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const core::Frame& frame,
                  const Path& path, bool everyLight, core::Sampler& random, std::uint64_t& rays) const;
   /// Everything that arrives along a path.
-  void follow(Response& sum, Path& path, core::Sampler& random, std::uint64_t& rays) const;
+  void follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const;
+  /// The cell of the solution that answers for a hit, or LightSolution::none.
+  [[nodiscard]] std::uint32_t cellAt(const tracer::Hit& hit, const Vertex& at) const;
+  /// Adds `factor` times what a cell reflects.
+  void addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const;
+  [[nodiscard]] Ending ending() const { return solution_ != nullptr ? Ending::solution : Ending::never; }
+  Response directLight(const Plan& plan, const Vertex& at, std::uint64_t key, std::uint32_t samples,
+                       std::uint64_t& rays) const;
+  /// Adds what one path from a receiver brings after reflections, lx.
+  void addPath(Response& sum, const Vertex& at, std::uint64_t stream, std::uint32_t sample, Ending ending,
+               std::uint64_t& rays) const;
   /// A path that starts at a receiver whose direct light is counted already.
   [[nodiscard]] Path pathFrom(const Vertex& at, const core::Frame& frame, core::Sampler& random) const;
   /// The next surface that does something to the light; absorption on the way is applied. False: none.
@@ -143,6 +163,9 @@ class PathSolver final : public Solver {
   std::vector<double> heroProbability_, heroCumulative_;
   bool lightsAreFew_ = false, losesCaustics_ = false;
   bool hasMedia_ = false, disperses_ = false;
+  FreeView freeView_;
+  double pilotRays_;                         // shadow rays of a receiver's pilot, over all lights
+  std::unique_ptr<LightSolution> solution_;  // of solvers that end paths in one
   bool hasPanes_ = false;  ///< something goes straight through, or mirrors differently at different angles
 };
 

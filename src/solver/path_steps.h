@@ -19,9 +19,11 @@ bool PathSolver<W>::meet(Path& path, Meeting& met, std::uint64_t& rays) const {
     const bool fromInside = glm::dot(met.hit.normal, path.direction) > 0;
     if (medium != nullptr && fromInside) path.media.enter(body, medium);  // new only when the path began in it
     const reflection::Medium* here = path.media.here();
-    if (here != nullptr && here->absorbs)
+    if (here != nullptr && here->absorbs) {
+      path.white = 0;
       for (std::size_t k = 0; k < here->attenuation.size(); ++k)
         path.throughput.v[k] *= std::exp(-here->attenuation[k] * static_cast<float>(met.hit.distance));
+    }
     if (medium == nullptr) return true;
     Media past = path.media;
     fromInside ? past.leave(body) : past.enter(body, medium);
@@ -68,6 +70,7 @@ void PathSolver<W>::collapse(Path& path) const {
     if (k != path.hero) path.throughput.v[k] = 0;
   path.throughput.v[path.hero] /= static_cast<float>(heroProbability_[path.hero]);
   path.dispersed = true;
+  path.white = 0;
 }
 
 template <int W>
@@ -84,6 +87,7 @@ bool PathSolver<W>::goOn(Path& path, const Meeting& met, const Vertex& at, const
   }
   path.throughput *= weight;
   path.throughput *= 1 / survive;
+  path.white = 0;
   path.direction = frame.toWorld(next.direction);
   const bool through = next.direction.z < 0;
   path.origin = at.start;

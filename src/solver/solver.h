@@ -32,6 +32,8 @@ class ReceiverPlan {
   virtual ~ReceiverPlan() = default;
   /// Bound of the deterministic part's error, lx ("source_subdivision").
   double quadratureBound = 0;
+  /// Interreflected illuminance, roughly, lx.
+  double interreflected = 0;
 };
 
 class Solver {
@@ -47,6 +49,14 @@ class Solver {
   [[nodiscard]] virtual Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
                                           std::uint32_t sample) const = 0;
 
+  /// False for a solver whose expectation is not the answer itself, but the answer less what missed() estimates.
+  [[nodiscard]] virtual bool isUnbiased() const { return true; }
+  /// One unbiased estimate of what illuminance() misses at a receiver, lx; may be negative. Samples 0, 1, 2 … of a key
+  /// are spread evenly over directions, also when each is taken at another receiver.
+  [[nodiscard]] virtual double missed(const Receiver&, std::uint64_t /*key*/, std::uint32_t /*sample*/) const {
+    return 0;
+  }
+
   /// What this solver leaves out in this world, as sentences; empty: nothing.
   [[nodiscard]] virtual std::vector<std::string> leftOut() const { return {}; }
   /// Rays traced so far.
@@ -61,6 +71,7 @@ struct Problem {
   const scene::World& world;
   const tracer::Tracer& tracer;
   const spectrum::SpectralQuadrature& quadrature;
+  double accuracy = 0.01;  ///< relative, asked of the results: how fine a light solution is worth its while
 };
 
 /// The registry of solvers: adding one is a file of its own and a line in solvers.cpp.

@@ -10,6 +10,10 @@ const std::vector<SolverType>& solverTypes() {
       {"path", "Unbiased spectral path tracing",
        "closed-form direct light, next-event estimation, planar mirrors by images; no bias, only noise",
        makePathSolver},
+      {"gather", "Final gathering from a light solution",
+       "closed-form direct light; paths end in a view-independent solution of the interreflection, whose error is "
+       "measured by paths that go on, and taken away",
+       makeGatherSolver},
   };
   return types;
 }

@@ -33,7 +33,7 @@ GridEstimate noisyGrid(std::uint64_t trial, double noise) {
     e.values[i] = m.mean;
     e.statistical[i] = t * m.standardError;
   }
-  summarise(replicates, std::vector<double>(points, 0), 0.95, e);
+  summarise(replicates, {{"source_subdivision", std::vector<double>(points, 0)}}, 0.95, e);
   return e;
 }
 

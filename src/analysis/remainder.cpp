@@ -1,0 +1,89 @@
+#include "analysis/remainder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/grid_estimate.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "core/statistics.h"
+
+namespace goniolux::analysis {
+namespace {
+
+constexpr std::size_t bands = 8;
+constexpr std::uint32_t pilotPaths = 32;       // per replicate
+constexpr std::uint32_t mostPaths = 1u << 18;  // per replicate
+constexpr double f95 = 2.09;                   // F distribution, 7 and 120 degrees of freedom, 95 % point
+constexpr std::uint64_t pilotKey = 1, estimateKey = 2, shiftKey = 3;
+
+struct Round {
+  std::array<double, replicateCount> missed{};  // mean of a path, lx
+  std::array<std::array<double, bands>, replicateCount> byBand{};
+};
+
+}  // namespace
+
+Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
+                            const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
+                            double allowed, double confidence, const core::ProgressSink& progress) {
+  Remainder remainder;
+  remainder.factors.assign(replicateCount, 0.0);
+  if (solver.isUnbiased()) return remainder;
+  double interreflected = 0;
+  for (const auto& plan : plans) interreflected += plan->interreflected / static_cast<double>(plans.size());
+  if (!(interreflected > 0)) return remainder;
+
+  const std::size_t points = receivers.size();
+  const std::size_t usedBands = std::min(bands, points);
+  const auto round = [&](std::uint64_t roundKey, std::uint32_t paths) {
+    Round result;
+    core::parallelFor(replicateCount, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end && !progress.cancelled(); ++r) {
+        const std::uint64_t replicateKey = core::combine(core::combine(key, roundKey), r);
+        const double shift = core::Sampler(core::combine(replicateKey, shiftKey), 0).next();
+        // The points are visited evenly, in an order that has nothing to do with the directions' (golden section).
+        for (std::uint32_t j = 0; j < paths; ++j) {
+          const double place = j * 0.6180339887498949 + shift;
+          const auto i =
+              std::min(points - 1, static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(points)));
+          const double missed = solver.missed(receivers[i], replicateKey, j);
+          result.missed[r] += missed / paths;
+          result.byBand[r][i * usedBands / points] += missed / paths * static_cast<double>(usedBands);
+        }
+      }
+    });
+    return result;
+  };
+
+  const double quantile = core::studentQuantile(replicateCount - 1, confidence);
+  const Round pilot = round(pilotKey, pilotPaths);
+  const core::ReplicateMean first = core::replicateMean(pilot.missed);
+  const double ratio = quantile * first.standardError / std::max(allowed, 1e-300);
+  const double wanted = std::clamp(1.2 * ratio * ratio * pilotPaths, 1.0 * pilotPaths, 1.0 * mostPaths);
+  const auto paths = static_cast<std::uint32_t>(wanted);
+  const Round estimate = round(estimateKey, paths);
+  remainder.paths = static_cast<std::uint64_t>(paths) * replicateCount;
+  for (std::size_t r = 0; r < replicateCount; ++r) remainder.factors[r] = estimate.missed[r] / interreflected;
+
+  // Do the bands differ by more than their own noise?
+  if (usedBands < 2) return remainder;
+  std::vector<double> bandMeans(usedBands);
+  double within = 0;
+  for (std::size_t b = 0; b < usedBands; ++b) {
+    std::array<double, replicateCount> one{};
+    for (std::size_t r = 0; r < replicateCount; ++r) one[r] = estimate.byBand[r][b];
+    const core::ReplicateMean m = core::replicateMean(one);
+    bandMeans[b] = m.mean;
+    within += m.standardError * m.standardError / static_cast<double>(usedBands);
+  }
+  const double mean = std::accumulate(bandMeans.begin(), bandMeans.end(), 0.0) / static_cast<double>(usedBands);
+  double between = 0;
+  for (const double m : bandMeans) between += (m - mean) * (m - mean) / static_cast<double>(usedBands - 1);
+  if (between > f95 * within) remainder.spread = 2 * std::sqrt(between - within) / interreflected;
+  return remainder;
+}
+
+}  // namespace goniolux::analysis

@@ -1,0 +1,46 @@
+// The gathering kernel: paths of the path kernel that end in a light solution (solver/light_solution.h) as soon as it
+// answers for the point that they meet. What this misses is estimated by paths that go on (missed()), so that the
+// solution's bias is known and taken away, not assumed small.
+#pragma once
+
+#include "solver/path_kernel.h"
+
+namespace goniolux::solver {
+
+template <int W>
+class GatherSolver final : public PathSolver<W> {
+ public:
+  explicit GatherSolver(const Problem& problem);
+
+  [[nodiscard]] bool isUnbiased() const override { return false; }
+  [[nodiscard]] double missed(const Receiver& receiver, std::uint64_t key, std::uint32_t sample) const override;
+
+ private:
+  using Base = PathSolver<W>;
+  using Vec3 = core::Vec3;
+  using typename Base::Spectral;
+  using typename Base::Vertex;
+
+  struct Arrival {
+    bool found = false, filtered = false;
+    std::uint32_t surface = 0;
+    Vertex at;
+    Spectral filter;
+  };
+  /// Follows a ray over mirrors and through glass to the first diffuse surface.
+  [[nodiscard]] Arrival arrive(const Vec3& origin, const Vec3& direction, core::Sampler& random,
+                               std::uint64_t& rays) const;
+  /// The cells that light can come from, with the rays that link them.
+  void discover(LightSolution::Transport& transport);
+  void linkCells(std::size_t from, std::size_t to, std::size_t raysPerCell, std::vector<LightSolution::Link>& links,
+                 std::vector<float>& filters);
+  /// Irradiance straight from the lights at the cells' points, and which cells are rough.
+  void lightCells(LightSolution::Transport& transport);
+  void directAt(const Vertex& at, std::uint64_t key, std::vector<Spectral>& bySource, std::uint64_t& rays) const;
+  void setResponses();
+
+  std::vector<Spectral> reflectance_;  // per material; 0 where it does not follow Lambert's law
+  std::size_t linksPerCell_;
+};
+
+}  // namespace goniolux::solver
