@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t seedKey = 0x5eed, exploreKey = 0xe491, linkKey = 0x1147, directKey = 0xd17ec7;
 constexpr std::size_t exploringRays = 12;
 constexpr std::size_t mostCells = 200000;
-constexpr int mostReflections = 256;  // at finishes that are not diffuse
+constexpr int mostSteps = 256;  // at finishes that are not diffuse
 // Of a cell's points' direct light, relative to all its light: above this spread the mean stands for none of them.
 constexpr double roughSpread = 0.35;
 constexpr double lookTolerance = 1e-2;
@@ -82,7 +82,7 @@ typename GatherSolver<W>::Arrival GatherSolver<W>::arrive(const Vec3& origin, co
   typename Base::Path path{origin, direction, Spectral::filled(1)};
   this->chooseHero(path, random);
   typename Base::Meeting met;
-  for (int i = 0; i < mostReflections && this->meet(path, met, rays); ++i) {
+  for (int i = 0; i < mostSteps && this->meet(path, met, rays); ++i) {
     arrival.at = this->vertexAt(met.hit, path.direction);
     if (met.bsdf->isLambertian()) {
       arrival.found = true;
