@@ -24,6 +24,7 @@ constexpr double remainderShare = 0.125;  // of the accuracy asked for, that the
 constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
 constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
 constexpr double largestGrowth = 8;              // from then on
+constexpr double wholeGrowth = 4;                // samples of paths that go to their own end, for the same spread
 constexpr int mostRounds = 12;
 constexpr std::uint64_t remainderKey = 0x4e3a;
 constexpr double shareAsked = 0.95;
@@ -48,6 +49,7 @@ class GridRun {
         quantile_(core::studentQuantile(replicateCount - 1, accuracy.confidence)),
         plans_(receivers.size()),
         samples_(receivers.size(), pilotSamples),
+        whole_(receivers.size(), 0),
         gathered_(replicateCount, std::vector<double>(receivers.size())),
         replicates_(replicateCount, std::vector<double>(receivers.size())) {
     // A point's own half-width scatters (chi with 15 degrees of freedom); so that 95 % of them end within what was
@@ -68,9 +70,11 @@ class GridRun {
     core::parallelFor(points.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t j = begin; j < end && !progress.cancelled(); ++j) {
         const std::size_t i = points[j];
-        for (std::uint64_t r = 0; r < replicateCount; ++r)
-          fresh[r][j] =
-              solver_.illuminance(receivers_[i], *plans_[i], core::combine(pointKey(i, round_), r), samples_[i])[1];
+        for (std::uint64_t r = 0; r < replicateCount; ++r) {
+          const std::uint64_t key = core::combine(pointKey(i, round_), r);
+          fresh[r][j] = (whole_[i] ? solver_.wholeIlluminance(receivers_[i], *plans_[i], key, samples_[i])
+                                   : solver_.illuminance(receivers_[i], *plans_[i], key, samples_[i]))[1];
+        }
       }
     });
     if (progress.cancelled()) return false;
@@ -78,7 +82,7 @@ class GridRun {
       for (std::size_t r = 0; r < replicateCount; ++r) {
         const std::size_t i = points[j];
         gathered_[r][i] = fresh[r][j];
-        replicates_[r][i] = fresh[r][j] + remainder_.factors[r] * plans_[i]->interreflected;
+        replicates_[r][i] = fresh[r][j] + (whole_[i] ? 0 : remainder_.factors[r] * plans_[i]->interreflected);
       }
     return true;
   }
@@ -140,7 +144,8 @@ class GridRun {
       e.samples += static_cast<std::uint64_t>(samples_[i]) * replicateCount;
     }
     e.interreflection.resize(n);
-    for (std::size_t i = 0; i < n; ++i) e.interreflection[i] = remainder_.spread * plans_[i]->interreflected;
+    for (std::size_t i = 0; i < n; ++i)
+      e.interreflection[i] = whole_[i] ? 0 : remainder_.spread * plans_[i]->interreflected;
     Systematic bias{{"source_subdivision", e.quadrature}};
     if (!solver_.isUnbiased()) bias["interreflection"] = e.interreflection;
     summarise(replicates_, bias, accuracy_.confidence, e);
@@ -156,7 +161,7 @@ class GridRun {
     return e.shareWithin >= shareAsked && e.mean.halfWidth() <= allowed(e.mean.value, e.mean.value);
   }
   bool extremesReached(const GridEstimate& e) const {
-    return e.minimum.halfWidth() <= allowed(e.minimum.value, e.mean.value) &&
+    return minimumIsWhole(e) && e.minimum.halfWidth() <= allowed(e.minimum.value, e.mean.value) &&
            (e.u0.value <= 0.1 || e.u0.halfWidth() <= accuracy_.uniformity * e.u0.value);
   }
 
@@ -183,19 +188,34 @@ class GridRun {
     return points;
   }
 
+  /// The points that may be the minimum.
+  std::vector<std::size_t> minimumCandidates(const GridEstimate& e) const {
+    double upper = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < receivers_.size(); ++i) upper = std::min(upper, e.values[i] + halfWidth(e, i));
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < receivers_.size(); ++i)
+      if (e.values[i] - 2 * halfWidth(e, i) <= upper) points.push_back(i);
+    return points;
+  }
+  /// What a light solution misses on average may be far from what it misses in the darkest corner, so that point is
+  /// calculated without it.
+  bool minimumIsWhole(const GridEstimate& e) const {
+    if (solver_.isUnbiased()) return true;
+    const auto lowest = std::min_element(e.values.begin(), e.values.end()) - e.values.begin();
+    return whole_[static_cast<std::size_t>(lowest)] != 0;
+  }
+
   /// More samples for the points that may be the minimum; returns them.
   std::vector<std::size_t> refineMinimum(const GridEstimate& e) {
     const double room = std::min(allowed(e.minimum.value, e.mean.value), 0.7 * accuracy_.uniformity * e.minimum.value);
     double growth = std::pow(1.15 * e.minimum.halfWidth() / std::max(room, 1e-300), 2);
     growth = std::clamp(growth, 1.5, largestGrowth);
-    double upper = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < receivers_.size(); ++i) upper = std::min(upper, e.values[i] + halfWidth(e, i));
-    std::vector<std::size_t> points;
-    for (std::size_t i = 0; i < receivers_.size(); ++i)
-      if (e.values[i] - 2 * halfWidth(e, i) <= upper) {
-        points.push_back(i);
-        samples_[i] = netSize(samples_[i] * growth);
-      }
+    const std::vector<std::size_t> points = minimumCandidates(e);
+    for (const std::size_t i : points) {
+      const bool fresh = !solver_.isUnbiased() && !whole_[i];
+      whole_[i] = fresh ? 1 : whole_[i];
+      samples_[i] = netSize(samples_[i] * (fresh ? wholeGrowth : growth));
+    }
     return points;
   }
 
@@ -232,8 +252,9 @@ class GridRun {
   double quantile_, margin_, roughMean_ = 0;
   std::vector<std::unique_ptr<solver::ReceiverPlan>> plans_;
   std::vector<std::uint32_t> samples_;
-  Replicates gathered_;    // as the solver estimates them
-  Replicates replicates_;  // the same with what it misses added
+  std::vector<char> whole_;  // points that are calculated without the light solution
+  Replicates gathered_;      // as the solver estimates them
+  Replicates replicates_;    // the same with what it misses added
   Remainder remainder_;
   std::uint64_t round_ = 0;
 };

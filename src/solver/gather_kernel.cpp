@@ -64,7 +64,7 @@ GatherSolver<W>::GatherSolver(const Problem& problem) : Base(problem) {
   }
 
   // Finer answers need a finer solution; the remainder (missed()) tells whether it was fine enough.
-  const double cells = std::clamp(8 / std::max(problem.accuracy, 1e-4), 200.0, 20000.0);
+  const double cells = std::clamp(16 / std::max(problem.accuracy, 1e-4), 300.0, 20000.0);
   linksPerCell_ = problem.accuracy >= 0.03 ? 48 : problem.accuracy >= 0.008 ? 64 : 128;
   const double size = std::sqrt(std::max(areaOf(this->world_), 1e-12) / cells);
   this->solution_ = std::make_unique<LightSolution>(size, this->world_.sourceSpectra.size(), W);

@@ -114,11 +114,20 @@ typename PathSolver<W>::Path PathSolver<W>::pathFrom(const Vertex& at, const cor
 }
 
 template <int W>
-std::uint32_t PathSolver<W>::cellAt(const tracer::Hit& hit, const Vertex& at) const {
+std::uint32_t PathSolver<W>::cellAt(const tracer::Hit& hit, const Vertex& at, core::Sampler& random) const {
   // A cell stands for a point only from some way off: near by, its mean light is not that of the point.
   if (hit.distance < solution_->cellSize()) return LightSolution::none;
   const std::uint32_t cell = solution_->find(hit.surface, at.point, at.normal);
-  return cell == LightSolution::none || solution_->isRough(cell) ? LightSolution::none : cell;
+  if (cell == LightSolution::none || solution_->isRough(cell)) return LightSolution::none;
+  // One of the cells about the point, by chance: on average the light between cell centres is interpolated.
+  const core::Vec2 u = random.next2();
+  const Vec3 a = glm::abs(at.normal);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  Vec3 beside = at.point;
+  beside[(axis + 1) % 3] += (u.x - 0.5) * solution_->cellSize();
+  beside[(axis + 2) % 3] += (u.y - 0.5) * solution_->cellSize();
+  const std::uint32_t other = solution_->find(hit.surface, beside, at.normal);
+  return other == LightSolution::none || solution_->isRough(other) ? cell : other;
 }
 
 template <int W>
@@ -141,7 +150,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     if (ending != Ending::remainder) addEmitted(sum, path, met.hit);
     const Vertex at = vertexAt(met.hit, path.direction);
     if (ending != Ending::never && met.bsdf->isLambertian()) {
-      if (const std::uint32_t cell = cellAt(met.hit, at); cell != LightSolution::none) {
+      if (const std::uint32_t cell = cellAt(met.hit, at, random); cell != LightSolution::none) {
         if (ending == Ending::solution && path.white > 0) {
           for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += path.white * solution_->response(cell)[c];
           return;

@@ -62,6 +62,8 @@ class PathSolver : public Solver {
   [[nodiscard]] std::unique_ptr<ReceiverPlan> plan(const Receiver& receiver, std::uint64_t key) const override;
   [[nodiscard]] Response illuminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
                                      std::uint32_t samples) const override;
+  [[nodiscard]] Response wholeIlluminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
+                                          std::uint32_t samples) const override;
   [[nodiscard]] Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
                                   std::uint32_t sample) const override;
   [[nodiscard]] std::vector<std::string> leftOut() const override;
@@ -124,12 +126,14 @@ class PathSolver : public Solver {
   /// Everything that arrives along a path.
   void follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const;
   /// The cell of the solution that answers for a hit, or LightSolution::none.
-  [[nodiscard]] std::uint32_t cellAt(const tracer::Hit& hit, const Vertex& at) const;
+  [[nodiscard]] std::uint32_t cellAt(const tracer::Hit& hit, const Vertex& at, core::Sampler& random) const;
   /// Adds `factor` times what a cell reflects.
   void addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const;
   [[nodiscard]] Ending ending() const { return solution_ != nullptr ? Ending::solution : Ending::never; }
   Response directLight(const Plan& plan, const Vertex& at, std::uint64_t key, std::uint32_t samples,
                        std::uint64_t& rays) const;
+  Response illuminanceBy(Ending ending, const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
+                         std::uint32_t samples) const;
   /// Adds what one path from a receiver brings after reflections, lx.
   void addPath(Response& sum, const Vertex& at, std::uint64_t stream, std::uint32_t sample, Ending ending,
                std::uint64_t& rays) const;

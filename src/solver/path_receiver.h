@@ -99,17 +99,29 @@ void PathSolver<W>::addPath(Response& sum, const Vertex& at, std::uint64_t strea
 }
 
 template <int W>
-Response PathSolver<W>::illuminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
-                                    std::uint32_t samples) const {
+Response PathSolver<W>::illuminanceBy(Ending ending, const Receiver& receiver, const ReceiverPlan& plan,
+                                      std::uint64_t key, std::uint32_t samples) const {
   const Vertex at{receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
   std::uint64_t rays = 0;
   Response result = directLight(static_cast<const Plan&>(plan), at, key, samples, rays);
   const std::uint64_t stream = core::combine(key, indirectStream);
   Response sum{};
-  for (std::uint32_t i = 0; i < samples; ++i) addPath(sum, at, stream, i, ending(), rays);
+  for (std::uint32_t i = 0; i < samples; ++i) addPath(sum, at, stream, i, ending, rays);
   for (std::size_t c = 0; c < sum.size(); ++c) result[c] += sum[c] / samples;
   rays_.fetch_add(rays, std::memory_order_relaxed);
   return result;
+}
+
+template <int W>
+Response PathSolver<W>::illuminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
+                                    std::uint32_t samples) const {
+  return illuminanceBy(ending(), receiver, plan, key, samples);
+}
+
+template <int W>
+Response PathSolver<W>::wholeIlluminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
+                                         std::uint32_t samples) const {
+  return illuminanceBy(Ending::never, receiver, plan, key, samples);
 }
 
 }  // namespace goniolux::solver

@@ -49,6 +49,12 @@ class Solver {
   [[nodiscard]] virtual Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
                                           std::uint32_t sample) const = 0;
 
+  /// The same without a light solution, where the solver has one: dearer, and unbiased.
+  [[nodiscard]] virtual Response wholeIlluminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
+                                                  std::uint32_t samples) const {
+    return illuminance(receiver, plan, key, samples);
+  }
+
   /// False for a solver whose expectation is not the answer itself, but the answer less what missed() estimates.
   [[nodiscard]] virtual bool isUnbiased() const { return true; }
   /// One unbiased estimate of what illuminance() misses at a receiver, lx; may be negative. Samples 0, 1, 2 … of a key
