@@ -162,7 +162,7 @@ class Reader {
   double readConversion() {
     const double conversion = number("the conversion factor for intensities");
     if (!(conversion > 0)) {
-      warn(position_, "conversion-factor",
+      warn(position_, "bad-conversion",
            fmt::format("the conversion factor for intensities is {}; read as 1", conversion));
       return 1;
     }

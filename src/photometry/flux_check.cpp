@@ -52,34 +52,19 @@ double zonalConstantFlux(const TabulatedDistribution& d) {
   const std::vector<double> weightsV = zoneWeights(d.verticalAngles(), isB   ? Zone::uniform
                                                                        : isA ? Zone::latitude
                                                                              : Zone::gamma);
-  double copies = 1;
-  switch (d.symmetry()) {
-    case HorizontalSymmetry::rotational:
-      weightsH[0] = 2 * pi;
-      break;
-    case HorizontalSymmetry::quadrant:
-      copies = 4;
-      break;
-    case HorizontalSymmetry::aboutC0:
-    case HorizontalSymmetry::aboutC90:
-    case HorizontalSymmetry::lateral:
-      copies = 2;
-      break;
-    case HorizontalSymmetry::none:
-      break;
-  }
+  if (d.symmetry() == HorizontalSymmetry::rotational) weightsH[0] = 2 * pi;
   double sum = 0;
   for (std::size_t h = 0; h < weightsH.size(); ++h) {
     for (std::size_t v = 0; v < weightsV.size(); ++v)
       sum += weightsH[h] * weightsV[v] * d.candela(h < stated ? h : 0, v);
   }
-  return copies * sum;
+  return symmetryCopies(d.symmetry()) * sum;
 }
 
 void warnOfFluxes(PhotometricFile& file) {
   const double exact = file.distribution->flux();
   if (exact <= 0) return;
-  const char* unit = file.radiometric ? "mW" : "lm";
+  const std::string& unit = file.fluxUnit;
   const core::SourcePosition whole{file.file, 0, 0};
   const double zonal = zonalConstantFlux(*file.distribution);
   if (differ(exact, zonal)) {
@@ -104,6 +89,15 @@ void warnOfFluxes(PhotometricFile& file) {
         fmt::format(
             "the table gives {:.6g} {}, {:.0f} % of the declared lamp flux of {:.6g} lm; is the multiplier that of "
             "another lamp? The table is used as it is",
+            exact, unit, 100 * exact / *file.declaredLumens, *file.declaredLumens));
+  }
+  constexpr double leastRatio = 0.2;  // of the lamps' light leaves even a poor luminaire
+  if (file.declaredLumens && exact < leastRatio * *file.declaredLumens) {
+    file.warnings.warning(
+        whole, "flux-below-lamps",
+        fmt::format(
+            "the table gives {:.6g} {}, only {:.1f} % of the declared lamp flux of {:.6g} lm; are its values cd "
+            "per 1000 lm? The table is used as it is",
             exact, unit, 100 * exact / *file.declaredLumens, *file.declaredLumens));
   }
 }

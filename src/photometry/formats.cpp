@@ -7,6 +7,8 @@
 #include "photometry/flux_check.h"
 #include "photometry/lm63.h"
 #include "photometry/photometric_file.h"
+#include "photometry/rules.h"
+#include "photometry/tm33.h"
 
 namespace goniolux::photometry {
 namespace {
@@ -15,29 +17,11 @@ bool isZip(std::string_view bytes) {
   return bytes.starts_with("PK\x03\x04");
 }
 
-// Where the root element of a TM-33 file begins (its editions and precursors have different names); npos if there is
-// none.
-std::size_t tm33Root(std::string_view bytes) {
-  constexpr std::size_t farthest = 65536;  // comments may come before
-  const std::string_view head = bytes.substr(0, farthest);
-  return std::min({head.find("<IESTM33"), head.find("<LuminaireOpticalData"), head.find("<IESXML")});
-}
-
-bool isTm33(std::string_view bytes) {
-  return tm33Root(bytes) != std::string_view::npos;
-}
-
 PhotometricFile refuseGldf(std::string_view, const std::string& fileName) {
   throw core::InputError(
       {fileName, 1, 1}, "not-supported",
-      "not supported yet: GLDF container; unpack it (it is a zip archive) and give the LM-63 or EULUMDAT file inside");
-}
-
-PhotometricFile refuseTm33(std::string_view bytes, const std::string& fileName) {
-  const std::string_view before = bytes.substr(0, std::min(tm33Root(bytes), bytes.size()));
-  const int line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-  throw core::InputError({fileName, line, 1}, "not-supported",
-                         "not supported yet: TM-33 XML; export the luminaire as LM-63 or EULUMDAT");
+      "not supported yet: GLDF container; unpack it (it is a zip archive) and give the LM-63, EULUMDAT or TM-33 file "
+      "inside");
 }
 
 bool endsWith(const std::string& fileName, const std::vector<std::string>& extensions) {
@@ -51,13 +35,13 @@ const std::vector<PhotometryFormat>& photometryFormats() {
   static const std::vector<PhotometryFormat> list{
       {"LM-63", "IES LM-63 photometric data, 1986 to 2019", {".ies"}, looksLikeLm63, readLm63},
       {"GLDF", "Global Lighting Data Format container", {".gldf"}, isZip, refuseGldf},
-      {"TM-33", "IES TM-33 luminaire optical data, XML", {".xml", ".tm33", ".iesxml"}, isTm33, refuseTm33},
+      {"TM-33", "IES TM-33 luminaire optical data, XML", {".xml", ".tm33", ".iesxml"}, looksLikeTm33, readTm33},
       {"EULUMDAT", "EULUMDAT luminaire data", {".ldt"}, looksLikeEulumdat, readEulumdat},
   };
   return list;
 }
 
-PhotometricFile readPhotometry(std::string_view bytes, const std::string& fileName) {
+PhotometricFile readPhotometry(std::string_view bytes, const std::string& fileName, Strictness strictness) {
   const std::vector<PhotometryFormat>& formats = photometryFormats();
   auto format = std::find_if(formats.begin(), formats.end(), [&](const auto& f) { return f.recognises(bytes); });
   // A damaged file is best explained by the reader that its name asks for.
@@ -68,15 +52,16 @@ PhotometricFile readPhotometry(std::string_view bytes, const std::string& fileNa
   if (format == formats.end()) {
     throw core::InputError(
         {fileName, 1, 1}, "unknown-format",
-        "this is no photometric file that Goniolux knows; it reads LM-63 (.ies) and EULUMDAT (.ldt)");
+        "this is no photometric file that Goniolux knows; it reads LM-63 (.ies), EULUMDAT (.ldt) and TM-33 (.xml)");
   }
   PhotometricFile file = format->read(bytes, fileName);
   warnOfFluxes(file);
+  if (strictness == Strictness::strict) refuseDepartures(file.warnings);
   return file;
 }
 
-PhotometricFile readPhotometricFile(const std::string& path) {
-  return readPhotometry(core::readFile(path), path);
+PhotometricFile readPhotometricFile(const std::string& path, Strictness strictness) {
+  return readPhotometry(core::readFile(path), path, strictness);
 }
 
 }  // namespace goniolux::photometry

@@ -112,6 +112,21 @@ std::optional<HorizontalSymmetry> horizontalSymmetry(PhotometryType type, const 
   return std::nullopt;
 }
 
+double symmetryCopies(HorizontalSymmetry symmetry) {
+  switch (symmetry) {
+    case HorizontalSymmetry::quadrant:
+      return 4;
+    case HorizontalSymmetry::aboutC0:
+    case HorizontalSymmetry::aboutC90:
+    case HorizontalSymmetry::lateral:
+      return 2;
+    case HorizontalSymmetry::rotational:
+    case HorizontalSymmetry::none:
+      break;
+  }
+  return 1;
+}
+
 AngleAxis::AngleAxis(std::vector<double> degrees) : degrees_(std::move(degrees)) {
   if (degrees_.size() < 2) return;
   double smallest = std::numeric_limits<double>::infinity();
@@ -192,29 +207,14 @@ double TabulatedDistribution::integrate(double horizontalFrom, double horizontal
                                                         : Measure::sine;
   std::vector<double> weightsH = integrationWeights(horizontal_.degrees(), measureH, horizontalFrom, horizontalTo);
   const std::vector<double> weightsV = integrationWeights(vertical_.degrees(), measureV, verticalFrom, verticalTo);
-  double copies = 1;
-  switch (symmetry_) {
-    case HorizontalSymmetry::rotational:
-      weightsH[0] = 2 * pi;
-      break;
-    case HorizontalSymmetry::quadrant:
-      copies = 4;
-      break;
-    case HorizontalSymmetry::aboutC0:
-    case HorizontalSymmetry::aboutC90:
-    case HorizontalSymmetry::lateral:
-      copies = 2;
-      break;
-    case HorizontalSymmetry::none:
-      break;
-  }
+  if (symmetry_ == HorizontalSymmetry::rotational) weightsH[0] = 2 * pi;
   double sum = 0;
   for (std::size_t h = 0; h < weightsH.size(); ++h) {
     double plane = 0;
     for (std::size_t v = 0; v < weightsV.size(); ++v) plane += weightsV[v] * candelas_[h * weightsV.size() + v];
     sum += weightsH[h] * plane;
   }
-  return copies * sum;
+  return symmetryCopies(symmetry_) * sum;
 }
 
 double TabulatedDistribution::verticalBandFlux(double from, double to) const {

@@ -77,6 +77,9 @@ enum class HorizontalSymmetry {
   lateral  ///< types A, B: from H = 0, which is a mirror
 };
 
+/// How many copies of the stated horizontal range make the whole; 1 for rotational, whose one plane stands for 2 pi.
+double symmetryCopies(HorizontalSymmetry symmetry);
+
 /// The symmetry that the horizontal angles (degrees, ascending) of a table stand for; empty when they cover the sphere
 /// in no known way.
 std::optional<HorizontalSymmetry> horizontalSymmetry(PhotometryType type, const std::vector<double>& horizontal);

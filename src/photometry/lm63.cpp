@@ -40,6 +40,10 @@ class Reader {
     file_.format = lm63EditionName(edition_);
     file_.keywords = std::move(labels.keywords);
     file_.radiometric = labels.radiometric;
+    if (labels.radiometric) {
+      file_.intensityUnit = "mW/sr";
+      file_.fluxUnit = "mW";
+    }
     readNumbersWithEitherComma(labels.tilt);
     return std::move(file_);
   }
@@ -63,11 +67,13 @@ class Reader {
       if (line == 0) throw;
       scanner_ = start;
       file_ = before;
+      factorRemarks_.clear();
       try {
         readNumbers(tilt, DecimalComma::isPoint);
       } catch (const core::InputError&) {
         scanner_ = start;
         file_ = before;
+        factorRemarks_.clear();
         readNumbers(tilt, DecimalComma::isSeparator);  // its message is about the standard's reading
       }
       warn(at(line), "decimal-comma", "numbers with a decimal comma; read as decimal points");
@@ -102,7 +108,7 @@ class Reader {
                  length = numbers.number("the length of the opening"),
                  height = numbers.number("the height of the opening");
     readOpening(width, length, height, units, numbers.position());
-    factor *= readFactors(numbers);
+    factor *= readFactors(numbers) * tiltFactorUpright();
     readLampFlux(lamps, lumensPerLamp, lampsAt);
 
     CandelaTable table;
@@ -122,7 +128,21 @@ class Reader {
     warnOfRest();
     file_.distribution = makeDistribution(std::move(table), file_.warnings);
     file_.symmetry = symmetryName(file_.distribution->symmetry());
+    for (const FactorRemark& remark : factorRemarks_) {
+      const double flux = file_.distribution->flux();
+      warn(remark.position, remark.rule,
+           fmt::format("{}: {:.6g} {} with it as read, {:.6g} {} otherwise", remark.message, flux, file_.fluxUnit,
+                       flux * remark.otherwise, file_.fluxUnit));
+    }
   }
+
+  // A remark on a factor; what it changes in lumens is known once the table has been read.
+  struct FactorRemark {
+    SourcePosition position;
+    const char* rule;
+    std::string message;
+    double otherwise;  ///< the flux with the other reading, relative
+  };
 
   void readOpening(double width, double length, double height, int units, const SourcePosition& position) {
     file_.opening = lm63Opening(edition_, width, length, height, units == 1 ? metresPerFoot : 1.0);
@@ -153,13 +173,17 @@ class Reader {
       }
       factor *= twelfth;
       if (twelfth != 1) {
-        warn(numbers.position(), "ballast-lamp-factor",
-             fmt::format("the ballast-lamp factor {} of {} multiplies all candelas and lumens", twelfth, file_.format));
+        factorRemarks_.push_back(
+            {numbers.position(), "ballast-lamp-factor",
+             fmt::format("the ballast-lamp factor {} of {} multiplies all candelas", twelfth, file_.format),
+             1 / twelfth});
       }
     } else if (twelfth != 1 && edition_ < Lm63Edition::e2019) {
-      warn(numbers.position(), "future-use",
-           fmt::format("the 12th header number is {}; {} keeps it for future use: it changes nothing", twelfth,
-                       file_.format));
+      factorRemarks_.push_back(
+          {numbers.position(), "future-use",
+           fmt::format("the 12th header number is {}; {} keeps it for future use: it multiplies nothing", twelfth,
+                       file_.format),
+           twelfth});
     }
     file_.inputWatts = numbers.number("the input watts");
     if (file_.inputWatts <= 0) {
@@ -205,13 +229,25 @@ class Reader {
     } else {
       readTiltFile(value);
     }
-    if (!file_.tilt) return;
+  }
+
+  // LM-63: the candelas are multiplied by the factor of the angle at which the luminaire is installed. It is read as
+  // not tilted; a project applies the factor of its own aim.
+  double tiltFactorUpright() {
+    if (!file_.tilt) return 1;
+    const double factor = tiltFactor(*file_.tilt, 0);
+    if (!(factor > 0)) {
+      throw core::InputError(tiltAt_, "bad-multiplier",
+                             fmt::format("the tilt factor at 0 degrees is {}; it must be above 0", factor));
+    }
     const auto [low, high] = std::minmax_element(file_.tilt->factors.begin(), file_.tilt->factors.end());
-    warn(tiltAt_, "tilt-not-applied",
-         fmt::format("the lamp output against tilt (factors {} to {}) is kept but not applied: the lumens are those of "
-                     "the luminaire "
-                     "as it was measured",
-                     *low, *high));
+    factorRemarks_.push_back(
+        {tiltAt_, "tilt-factor",
+         fmt::format("lamp output depends on tilt (factors {} to {}); the factor {} of 0 degrees multiplies, and in a "
+                     "project that of the luminaire's own tilt",
+                     *low, *high, factor),
+         1 / factor});
+    return factor;
   }
 
   void readTiltTable(NumberReader& numbers) {
@@ -223,6 +259,9 @@ class Reader {
     tilt.angles = numbers.numbers(pairs, "the tilt angles", ListOf::ascendingAngles, &begin);
     checkAngles(tilt.angles, "tilt angles", -360, 360, begin);
     tilt.factors = numbers.numbers(pairs, "the tilt factors", ListOf::anything);
+    for (const double factor : tilt.factors)
+      if (factor < 0)
+        numbers.refuse("bad-multiplier", fmt::format("a tilt factor is {}; it cannot be below 0", factor));
     file_.tilt = std::move(tilt);
   }
 
@@ -266,9 +305,19 @@ class Reader {
   PhotometricFile file_;
   Lm63Edition edition_ = Lm63Edition::e1986;
   SourcePosition tiltAt_;
+  std::vector<FactorRemark> factorRemarks_;
 };
 
 }  // namespace
+
+double tiltFactor(const TiltTable& tilt, double degrees) {
+  const std::vector<double>&angles = tilt.angles, &factors = tilt.factors;
+  const double angle = std::clamp(degrees, angles.front(), angles.back());
+  const auto above = std::lower_bound(angles.begin(), angles.end(), angle);
+  const auto i = static_cast<std::size_t>(above - angles.begin());
+  if (i == 0 || *above == angle) return factors[i];
+  return factors[i - 1] + (factors[i] - factors[i - 1]) * (angle - angles[i - 1]) / (angles[i] - angles[i - 1]);
+}
 
 PhotometricFile readLm63(std::string_view bytes, const std::string& fileName) {
   return Reader(bytes, fileName).read();

@@ -1,4 +1,5 @@
-// PhotometricFile: what an LM-63 or EULUMDAT file says about a luminaire, after reading. Lengths in metres.
+// PhotometricFile: what a photometric file (LM-63, EULUMDAT, TM-33) says about a luminaire, after reading. Lengths in
+// metres.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,7 @@
 
 #include "core/diagnostics.h"
 #include "photometry/intensity_distribution.h"
+#include "spectrum/spectral_distribution.h"
 
 namespace goniolux::photometry {
 
@@ -24,14 +26,17 @@ struct StatedOpening {
   std::string note;  ///< for `other`: what the file says, e.g. "horizontal cylinder along the length"
 };
 
-/// LM-63's table of lamp output against tilt. It is kept, not applied: the photometry is that of the untilted
-/// luminaire.
+/// LM-63's table of lamp output against tilt. The distribution has the factor of 0 degrees (usually 1) applied; a
+/// project applies that of the luminaire's own tilt.
 struct TiltTable {
   int lampToLuminaireGeometry =
       1;                       ///< 1 lamp base up or down, 2 horizontal, turning with the tilt, 3 horizontal, across it
   std::vector<double> angles;  ///< degrees
   std::vector<double> factors;
 };
+
+/// The factor at a tilt in degrees from the position of the measurement, linear between the stated angles, held beyond.
+double tiltFactor(const TiltTable& tilt, double degrees);
 
 struct PhotometricFile {
   std::string file;
@@ -48,7 +53,9 @@ struct PhotometricFile {
   StatedOpening opening;
   std::map<std::string, std::string> keywords;  ///< MANUFAC, LUMCAT, …
   std::optional<TiltTable> tilt;
-  bool radiometric = false;  ///< the file says that its "candelas" are mW/sr: nothing is converted
+  bool radiometric = false;  ///< the file's values are no candelas: nothing is converted, and the units are these:
+  std::string intensityUnit = "cd", fluxUnit = "lm";
+  std::optional<spectrum::SpectralDistribution> spectrum;  ///< relative spectral power, where the file carries it
   core::Diagnostics warnings;
 };
 
@@ -64,10 +71,15 @@ struct PhotometryFormat {
 };
 const std::vector<PhotometryFormat>& photometryFormats();
 
+/// Lenient: what is unambiguous is read, and every assumption is a warning. Strict: a departure from the format is
+/// refused (rules.h), with the whole list of them.
+enum class Strictness { lenient, strict };
+
 /// Reads bytes of any registered format; the content decides, then the extension of `fileName`.
-PhotometricFile readPhotometry(std::string_view bytes, const std::string& fileName);
+PhotometricFile readPhotometry(std::string_view bytes, const std::string& fileName,
+                               Strictness strictness = Strictness::lenient);
 
 /// Reads a photometric file of any registered format.
-PhotometricFile readPhotometricFile(const std::string& path);
+PhotometricFile readPhotometricFile(const std::string& path, Strictness strictness = Strictness::lenient);
 
 }  // namespace goniolux::photometry

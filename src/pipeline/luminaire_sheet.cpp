@@ -135,7 +135,7 @@ std::string fluxRow(const char* label, double value, double exact, const char* r
 
 std::string fluxesText(const PhotometricFile& file) {
   const double exact = file.distribution->flux();
-  std::string text = row("luminous flux", file.radiometric ? "mW (radiometric file)" : "lm");
+  std::string text = row("luminous flux", file.radiometric ? file.fluxUnit + " (no photometric file)" : "lm");
   text += fmt::format("    {:<16}{:>12.2f}  {:>10}  {}\n", "exact", exact, "",
                       "integral of the interpolated table: what is used");
   text += fluxRow("zonal constant", photometry::zonalConstantFlux(*file.distribution), exact,
@@ -174,7 +174,7 @@ std::string zonesText(const PhotometricFile& file) {
   const std::array<double, 18> zones = photometry::zonalLumens(*file.distribution);
   const double exact = file.distribution->flux();
   if (exact <= 0) return "";
-  std::string text = row("zonal flux", file.radiometric ? "gamma, mW, share" : "gamma, lm, share");
+  std::string text = row("zonal flux", "gamma, " + file.fluxUnit + ", share");
   for (std::size_t i = 0; i < zones.size(); ++i) {
     if (zones[i] <= 0) continue;
     text += fmt::format("    {:>3} to {:>3}      {:>12.2f}  {:>8.2f} %\n", 10 * i, 10 * i + 10, zones[i],
@@ -257,7 +257,7 @@ std::string luminaireText(const PhotometricFile& file) {
                                        : "not stated");
   text += fluxesText(file);
   text += row("largest intensity", fmt::format("{:.6g} {} at C {:g}, gamma {:g}", peak.intensity_cd,
-                                               file.radiometric ? "mW/sr" : "cd", peak.c, peak.gamma));
+                                               file.intensityUnit, peak.c, peak.gamma));
   text += widthsText(file, "beam angle", 0.5) + widthsText(file, "field angle", 0.1);
   text += fluxCodeText(file) + zonesText(file) + warningsText(file);
   return text;

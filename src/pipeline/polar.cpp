@@ -48,7 +48,7 @@ plot::PolarDiagram polarDiagramOf(const photometry::PhotometricFile& file) {
     diagram.facts.push_back(fmt::format("{:.0f} lm/W", file.distribution->flux() / file.inputWatts));
   }
   diagram.footer = fmt::format("goniolux · {} · {}", file.format, fs::path(file.file).filename().string());
-  diagram.unit = file.radiometric ? "mW/sr" : "cd";
+  diagram.unit = file.intensityUnit;
   const bool rotational = file.symmetry == "rotational";
   diagram.curves.push_back(curveOf(*file.distribution, 0, rotational ? "all C planes" : "C0 (right) – C180"));
   if (!rotational) diagram.curves.push_back(curveOf(*file.distribution, 90, "C90 (right) – C270"));

@@ -62,10 +62,10 @@ class LuminaireReader {
     luminaire.reflectance = section.number("reflectance").value_or(0);
     const auto position = section.point("position");
     const bool placed = readFrame(section, luminaire);
-    readSpectrumKey(section, luminaire);
     std::optional<Array> array = Array{};
     if (const core::Value* given = section.find("array")) array = readArray(*given, reading_);
     const auto photometry = readPhotometry(section, reading_);
+    readSpectrumKey(section, photometry ? photometry->file : nullptr, luminaire);
     // An unreadable file must not hide what is wrong with a stated shape.
     auto opening = readOpening(section.find("shape"), photometry ? photometry->file : nullptr, reading_);
     if (!position || !placed || !array || !photometry || !opening) return;
@@ -81,6 +81,7 @@ class LuminaireReader {
     luminaire.distribution = photometry->distribution;
     luminaire.scale = photometry->scale;
     luminaire.flux_lm = photometry->flux_lm;
+    if (photometry->file && photometry->file->tilt && !section.has("flux")) applyTilt(*photometry->file, luminaire);
     luminaire.watts = photometry->file ? photometry->file->inputWatts : 0;
     place(luminaire, *position, *array, section.has("array"));
   }
@@ -107,12 +108,27 @@ class LuminaireReader {
     return true;
   }
 
-  void readSpectrumKey(SectionReader& section, scene::Luminaire& luminaire) {
+  // LM-63: the lamp's output at the angle at which the luminaire is installed.
+  void applyTilt(const photometry::PhotometricFile& file, scene::Luminaire& luminaire) {
+    const double tilt = std::acos(std::clamp(-luminaire.frame.aim.z, -1.0, 1.0)) / core::degree;
+    const double factor = photometry::tiltFactor(*file.tilt, tilt) / photometry::tiltFactor(*file.tilt, 0);
+    if (factor == 1) return;
+    luminaire.scale *= factor;
+    luminaire.flux_lm *= factor;
+    reading_.diagnostics.warning(
+        luminaire.position, "tilt-factor",
+        fmt::format("\"{}\" is tilted by {:.3g} degrees, where the lamp gives {:.4g} of its light by {}: {:.5g} lm",
+                    luminaire.type, tilt, factor, file.file, luminaire.flux_lm));
+  }
+
+  void readSpectrumKey(SectionReader& section, const photometry::PhotometricFile* file, scene::Luminaire& luminaire) {
     auto spectrum = spectrum::SpectralDistribution::flat(1);  // CIE E: the choice that favours no colour
     if (const core::Value* given = section.find("spectrum")) {
       auto read = readSpectrum(*given, *luminaireSection().find("spectrum"), spectrum::Role::source, reading_);
       if (!read) return;
       spectrum = std::move(*read);
+    } else if (file && file->spectrum) {
+      spectrum = *file->spectrum;
     } else {
       withoutSpectrum_.push_back(luminaire.type);
     }

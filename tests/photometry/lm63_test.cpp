@@ -1,6 +1,7 @@
 // Written LM-63 files: what the corpus lacks, and one rule at a time.
 #include "photometry/lm63.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -130,7 +131,7 @@ TEST(Lm63, KeywordsBecomeUtf8FromLatin1AndShiftJis) {
             "L\xC3\xA4ngle");
 }
 
-TEST(Lm63, TiltIncludeIsKeptAndNotApplied) {
+TEST(Lm63, TiltIncludeIsKeptAndTheFactorOfZeroDegreesMultiplies) {
   const PhotometricFile file = read(
       "IESNA:LM-63-2002\nTILT=INCLUDE\n2\n3\n0 45 90\n1.0 0.9 0.8\n1 1000 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n100 70 "
       "0\n");
@@ -138,8 +139,17 @@ TEST(Lm63, TiltIncludeIsKeptAndNotApplied) {
   EXPECT_EQ(file.tilt->lampToLuminaireGeometry, 2);
   EXPECT_EQ(file.tilt->angles, (std::vector<double>{0, 45, 90}));
   EXPECT_EQ(file.tilt->factors, (std::vector<double>{1.0, 0.9, 0.8}));
-  EXPECT_TRUE(hasWarning(file, "tilt-not-applied"));
+  EXPECT_TRUE(hasWarning(file, "tilt-factor"));
+  EXPECT_DOUBLE_EQ(tiltFactor(*file.tilt, 22.5), 0.95);
+  EXPECT_DOUBLE_EQ(tiltFactor(*file.tilt, 120), 0.8);
   EXPECT_DOUBLE_EQ(file.distribution->maximumIntensity(), 100);
+  const PhotometricFile odd = read(
+      "IESNA:LM-63-2002\nTILT=INCLUDE\n1\n2\n0 90\n0.5 1.0\n1 1000 1 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n100 70 0\n");
+  EXPECT_DOUBLE_EQ(odd.distribution->maximumIntensity(), 50);
+  // What it changes stands in the message, in lumens.
+  const double flux = odd.distribution->flux();
+  EXPECT_NE(odd.warnings.all().front().message.find(fmt::format("{:.6g} lm otherwise", 2 * flux)), std::string::npos)
+      << odd.warnings.all().front().message;
 }
 
 TEST(Lm63, ATiltFileIsFoundBesideThePhotometricFile) {

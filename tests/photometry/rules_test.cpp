@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/document.h"
+#include "photometry/rules.h"
 
 namespace goniolux::photometry {
 namespace {
@@ -24,12 +25,16 @@ TEST(Rules, OfTheReadersAreThoseOfTheDocumentation) {
   std::set<std::string> used;
   for (const auto& entry : std::filesystem::directory_iterator(root / "src" / "photometry")) {
     if (entry.path().extension() != ".cpp") continue;
-    used.merge(matches(core::readFile(entry.path().string()), std::regex("\"([a-z]+(?:-[a-z0-9]+)+)\"")));
+    used.merge(matches(core::readFile(entry.path().string()), std::regex("\"([a-z]+[a-z0-9]*(?:-[a-z0-9]+)+)\"")));
   }
   const std::string page = core::readFile((root / "docs" / "methods" / "photometry.md").string());
-  const std::string tables = page.substr(page.find("## Rules"));
-  EXPECT_EQ(matches(tables, std::regex("`([a-z]+(?:-[a-z0-9]+)+)`")), used);
+  const std::string tables = page.substr(page.find("## Rules"), page.find("## Strict") - page.find("## Rules"));
+  EXPECT_EQ(matches(tables, std::regex("`([a-z]+[a-z0-9]*(?:-[a-z0-9]+)+)`")), used);
   EXPECT_GT(used.size(), 30u);
+  const std::string strict = page.substr(page.find("## Strict"), page.find("## TM-33") - page.find("## Strict"));
+  const auto& departures = departureRules();
+  EXPECT_EQ(matches(strict, std::regex("`([a-z]+[a-z0-9]*(?:-[a-z0-9]+)+)`")),
+            std::set<std::string>(departures.begin(), departures.end()));
 }
 
 }  // namespace
