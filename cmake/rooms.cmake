@@ -20,6 +20,10 @@ if(GONIOLUX_SANITIZE)
   target_compile_options(goniolux_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(goniolux_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(GONIOLUX_FUZZ)
+  target_compile_options(goniolux_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-omit-frame-pointer)
+  target_link_options(goniolux_options INTERFACE -fsanitize=address,undefined)
+endif()
 
 # goniolux_room(core LIBRARIES fmt::fmt)          target goniolux_core from src/core/*.cpp
 # goniolux_room(scene ROOMS core geometry)        ROOMS: the rooms below that it uses

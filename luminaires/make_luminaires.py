@@ -58,9 +58,9 @@ def plane_weights(kind, planes):
     """Weights of the stored planes in the integral over the whole circle (type C) or over H (type B), symmetric copies included."""
     if len(planes) == 1:
         return [2 * math.pi]
-    if kind == "B":
+    if kind in "AB":
         copies = 2 if planes[0] == 0 else 1
-        return [copies * w for w in linear_weights(planes, "cos")]
+        return [copies * w for w in linear_weights(planes, "cos" if kind == "B" else "1")]
     ascending = [p - 360 for p in planes if p >= 270] + [p for p in planes if p < 270] if planes[0] == 270 else planes
     if ascending[-1] - ascending[0] in (90, 180, 360):
         copies = round(360 / (ascending[-1] - ascending[0]))
@@ -71,7 +71,7 @@ def plane_weights(kind, planes):
 
 
 def integral(kind, planes, vertical, table):
-    wh, wv = plane_weights(kind, planes), linear_weights(vertical, "1" if kind == "B" else "sin")
+    wh, wv = plane_weights(kind, planes), linear_weights(vertical, {"A": "cos", "B": "1", "C": "sin"}[kind])
     return sum(h * v * value for h, row in zip(wh, table) for v, value in zip(wv, row))
 
 
@@ -164,7 +164,32 @@ def floodlight(h, v):
     return math.exp(-((h / 38) ** 4)) * (math.exp(-(((v - 3) / (14 if v > 3 else 24)) ** 2)))
 
 
+def searchlight(h, v):
+    return math.exp(-((h / 6) ** 2) - (v / 4) ** 2) + 0.002 * math.exp(-((h / 50) ** 2) - (v / 40) ** 2)
+
+
+def tube_pendant(c, gamma):
+    x = direction(c, gamma)[0]  # the tube lies along C0
+    return math.sqrt(max(0.0, 1 - x * x))
+
+
+def wall_disc(c, gamma):
+    x = direction(c, gamma)[0]  # faces C0
+    return max(0.0, x) + 0.02 * max(0.0, 1 - abs(x))
+
+
+def bulkhead(c, gamma):
+    x, y, z = direction(c, gamma)
+    return math.hypot(0.07 * 0.05 * x, 0.1 * 0.05 * y, 0.1 * 0.07 * z) * (1 - 0.9 * ramp(gamma, 95, 130))
+
+
+def oval_spot(c, gamma):
+    x, y, z = direction(c, gamma)
+    return math.exp(-((math.degrees(math.atan2(x, z)) / 24) ** 2) - (math.degrees(math.atan2(y, z)) / 12) ** 2) if z > 0 else 0.0
+
+
 RECTANGLE, DISC, BOX, SPHERE, CYLINDER = "rectangle", "disc", "box", "sphere", "cylinder"
+ELLIPSE, ELLIPSOID, LYING, UPRIGHT = "ellipse", "ellipsoid", "cylinder along C0", "upright disc facing C0"
 
 LUMINAIRES = [
     dict(file="panel-600.ies", title="Recessed LED panel 600 x 600, opal", use="offices, as the plain case: luminance equal in all directions",
@@ -210,7 +235,23 @@ LUMINAIRES = [
     dict(file="floodlight-b.ies", title="Floodlight, photometry type B", use="facades, sports; type B angles (H, V)", flux=12000, watts=100, type="B",
          opening=(RECTANGLE, 0.3, 0.25, 0), horizontal=steps(0, 90, 5), vertical=steps(-90, -30, 10) + steps(-27.5, 27.5, 2.5) + steps(30, 90, 10),
          shape=floodlight, how="exp(-(H/38)^4) wide, exp(-(V/14)^2) above and exp(-(V/24)^2) below its aim of V 3"),
+    dict(file="searchlight-a.ies", title="Searchlight, photometry type A", use="signals, towers; type A angles (H, V)", flux=9000, watts=90, type="A",
+         opening=(DISC, 0.4, 0.4, 0), horizontal=steps(-90, -30, 10) + steps(-25, -12.5, 2.5) + steps(-11, 11, 1) + steps(12.5, 25, 2.5) + steps(30, 90, 10),
+         vertical=steps(-90, -30, 10) + steps(-25, -12.5, 2.5) + steps(-11, 11, 1) + steps(12.5, 25, 2.5) + steps(30, 90, 10), shape=searchlight,
+         how="exp(-(H/6)^2 - (V/4)^2) and 0.2 % of a wide lobe"),
+    dict(file="tube-pendant.ies", title="Bare LED retrofit tube 1.2 m, pendant", use="workshops, kitchens; the tube is the opening", flux=1900, watts=15,
+         opening=(LYING, 1.2, 0.028, 0.028), horizontal=QUADRANT, vertical=GAMMA_ALL, shape=tube_pendant, how="I = I_perp sin(angle to the tube)"),
+    dict(file="wall-disc.ies", title="Round wall light, faces C0", use="corridors, stairs", flux=1300, watts=13, opening=(UPRIGHT, 0.28, 0.28, 0.28), horizontal=HALF,
+         vertical=GAMMA_ALL, shape=wall_disc, how="cosine about C0, gamma 90, and 2 % around its rim"),
+    dict(file="bulkhead-oval.ies", title="Oval bulkhead, opal", use="cellars, porches", flux=800, watts=10, opening=(ELLIPSOID, 0.2, 0.14, 0.1), horizontal=QUADRANT,
+         vertical=GAMMA_ALL, shape=bulkhead, how="projected area of its ellipsoid, shaded by its base above"),
+    dict(file="downlight-oval.ies", title="Downlight, oval beam", use="aisles, tables", flux=1400, watts=14, opening=(ELLIPSE, 0.14, 0.08, 0), horizontal=QUADRANT,
+         vertical=GAMMA_NARROW, shape=oval_spot, how="exp(-(x/24)^2 - (y/12)^2) of the angles x along C0 and y along C90"),
 ]
+
+# What a project gives as "spectrum" with a luminaire of this folder; the rest is LED of 4000 K.
+SPECTRA = {"louvre-4x18": "CIE FL2", "batten-t8": "CIE FL11", "globe": "CIE LED-B1", "downlight-15": "CIE LED-B2", "downlight-30": "CIE LED-B2",
+           "downlight-gimbal": "CIE LED-B2", "track-spot": "CIE LED-B2", "wall-light": "CIE LED-B2", "bollard": "CIE LED-B2", "floodlight-b": "CIE HP1"}
 
 
 def significant(value):
@@ -249,7 +290,8 @@ def lm63(lum):
     edition = lum.get("edition", "IESNA:LM-63-2002")
     shape, length, width, height = lum["opening"]
     dimensions = {RECTANGLE: (width, length, 0), BOX: (width, length, height), DISC: (-width, -width, 0),
-                  SPHERE: (-width, -width, -width), CYLINDER: (-width, -width, height)}[shape]
+                  SPHERE: (-width, -width, -width), CYLINDER: (-width, -width, height), ELLIPSE: (-width, -length, 0),
+                  ELLIPSOID: (-width, -length, -height), LYING: (-width, length, -height), UPRIGHT: (-width, 0, -height)}[shape]
     if shape == DISC and edition.endswith("1995"):
         dimensions = (-width, 0, 0)  # that edition's circle
     lamps, lumens = lum.get("lamps", 1), lum.get("lamp_lumens", -1)
@@ -257,7 +299,7 @@ def lm63(lum):
              f"[LUMCAT] {lum['file'].rsplit('.', 1)[0]}", f"[LUMINAIRE] {lum['title']}",
              f"[LAMP] {'LED' if lumens < 0 else f'{lamps} x {lumens} lm'}", f"[OTHER] Made by luminaires/make_luminaires.py: {lum['how']}.",
              f"[_TOTALLUMINAIRELUMENS] {significant(lum['flux'])}", "TILT=NONE",
-             f"{lamps} {lumens} 1 {len(lum['vertical'])} {len(planes)} {2 if lum.get('type') == 'B' else 1} 2 " + " ".join(map(significant, dimensions)),
+             f"{lamps} {lumens} 1 {len(lum['vertical'])} {len(planes)} { {'A': 3, 'B': 2}.get(lum.get('type'), 1)} 2 " + " ".join(map(significant, dimensions)),
              f"1 1 {significant(lum['watts'])}"]
     if edition.endswith("2019"):
         lines[-1] = f"1 1.0001 {significant(lum['watts'])}"  # file generation type: computer simulation
@@ -298,19 +340,22 @@ def readme():
              "measurements, and no manufacturer's product; each is scaled so that the exact flux of its interpolated table is the flux below.", "",
              "The length of an opening lies along C0 in LM-63 (`.ies`) and along C90 in EULUMDAT (`.ldt`). Look at one with",
              "`goniolux luminaire luminaires/panel-600.ies`.", "",
-             "| file | what it is | for | flux, lm | W | symmetry | opening, m | how it was made |", "|---|---|---|---|---|---|---|---|"]
+                          "`spectrum` is what to give in a project with it (CIE 15 and CIE 251 illuminants: FL2 is a halophosphate lamp, FL11 a triphosphor with its",
+             "mercury lines, LED-B phosphor LEDs, HP1 sodium); a photometric file of these two formats carries none.", "",
+             "[More of them](traced.md) come from tracing light through modelled reflectors, louvres and diffusers.", "",
+             "| file | what it is | for | flux, lm | W | symmetry | opening, m | spectrum | how it was made |", "|---|---|---|---|---|---|---|---|---|"]
     for lum in LUMINAIRES:
         shape, length, width, height = lum["opening"]
-        size = f"{shape} {significant(length)}" + ("" if shape in (DISC, SPHERE) else f" x {significant(width)}" if shape in (RECTANGLE, BOX) else "")
-        if height and shape != SPHERE:
+        size = f"{shape} {significant(length)}" + ("" if shape in (DISC, SPHERE) else f" x {significant(width)}" if shape in (RECTANGLE, BOX, ELLIPSE, ELLIPSOID, LYING) else "")
+        if height and shape not in (SPHERE, LYING, UPRIGHT):
             size += f", {significant(height)} high"
         if "isym" in lum:
             kind = {0: "none (Isym 0)", 1: "rotational (Isym 1)", 2: "C0-C180 (Isym 2)", 3: "C90-C270 (Isym 3)", 4: "quadrant (Isym 4)"}[lum["isym"]]
-        elif lum.get("type") == "B":
-            kind = "lateral (type B)"
+        elif "type" in lum:
+            kind = {"A": "none (type A)", "B": "lateral (type B)"}[lum["type"]]
         else:
             kind = {(0, 0): "rotational", (0, 90): "quadrant", (0, 180): "C0-C180", (90, 270): "C90-C270", (0, 360): "none"}[(lum["horizontal"][0], lum["horizontal"][-1])]
-        lines.append(f"| `{lum['file']}` | {lum['title']} | {lum['use']} | {significant(lum['flux'])} | {significant(lum['watts'])} | {kind} | {size} | {lum['how']} |")
+        lines.append(f"| `{lum['file']}` | {lum['title']} | {lum['use']} | {significant(lum['flux'])} | {significant(lum['watts'])} | {kind} | {size} | {SPECTRA.get(lum['file'].rsplit('.', 1)[0], 'CIE LED-B3')} | {lum['how']} |")
     return "\n".join(lines) + "\n"
 
 

@@ -19,10 +19,11 @@ constexpr double nearLengths = 3;
 
 class FlatOpening : public OpeningEmitter {
  public:
-  FlatOpening(const Vec3& center, double boundingRadius, double area, const Output& output)
-      : OpeningEmitter(center, boundingRadius, output), axis_(output.frame.aim), area_(area) {
+  FlatOpening(const Opening& opening, const Vec3& center, double boundingRadius, double area, const Output& output)
+      : OpeningEmitter(center, boundingRadius, output), axis_(axesOf(opening, output.frame).z), area_(area) {
     setEmittingArea(2 * area);
-    lambertianFront_ = output.distribution && output.distribution->isLambertian();
+    lambertianFront_ =
+        output.distribution && output.distribution->isLambertian() && opening.along == Opening::Along::aim;
     frontLuminance_ = !output.distribution ? uniformLuminance_ : lambertianFront_ ? intensity(axis_) / area : 0;
   }
 
@@ -51,9 +52,10 @@ class FlatOpening : public OpeningEmitter {
 class RectangleEmitter final : public FlatOpening {
  public:
   RectangleEmitter(const Opening& opening, const Vec3& center, const Output& output)
-      : FlatOpening(center, 0.5 * std::hypot(opening.length, opening.width), opening.length * opening.width, output),
-        edgeX_(output.frame.c0 * opening.length),
-        edgeY_(output.frame.c90 * opening.width),
+      : FlatOpening(opening, center, 0.5 * std::hypot(opening.length, opening.width), opening.length * opening.width,
+                    output),
+        edgeX_(axesOf(opening, output.frame).x * opening.length),
+        edgeY_(axesOf(opening, output.frame).y * opening.width),
         corner_(center - 0.5 * edgeX_ - 0.5 * edgeY_),
         size_(std::max(opening.length, opening.width)) {}
 
@@ -90,37 +92,42 @@ class RectangleEmitter final : public FlatOpening {
   double size_;
 };
 
+// A disc, or an ellipse: the image of the unit disc under the two half axes.
 class DiscEmitter final : public FlatOpening {
  public:
   DiscEmitter(const Opening& opening, const Vec3& center, const Output& output)
-      : FlatOpening(center, 0.5 * opening.diameter, 0.25 * core::pi * opening.diameter * opening.diameter, output),
-        x_(output.frame.c0),
-        y_(output.frame.c90),
-        radius_(0.5 * opening.diameter) {}
+      : FlatOpening(opening, center, 0.5 * std::max(diametersOf(opening).x, diametersOf(opening).y),
+                    0.25 * core::pi * diametersOf(opening).x * diametersOf(opening).y, output),
+        x_(axesOf(opening, output.frame).x * (0.5 * diametersOf(opening).x)),
+        y_(axesOf(opening, output.frame).y * (0.5 * diametersOf(opening).y)),
+        round_(isRound(opening)) {}
+
+  [[nodiscard]] bool hasClosedForm() const override { return round_ && FlatOpening::hasClosedForm(); }
 
   [[nodiscard]] IncidentLight sample(const Vec3& point, const Vec2& u) const override {
     const Vec3 toCenter = center_ - point;
     const double height = std::abs(glm::dot(toCenter, axis_));
-    const double near = nearLengths * 2 * radius_;
-    if (glm::dot(toCenter, toCenter) > near * near || height < 1e-9 * radius_)
+    const double near = nearLengths * 2 * boundingRadius_;
+    if (glm::dot(toCenter, toCenter) > near * near || height < 1e-9 * boundingRadius_)
       return fromElement(point, onDisc(u), axis_, 1 / area_);
-    // Directions over the square about the disc; what misses the disc carries no light.
-    const SphericalRectangle square(center_ - (x_ + y_) * radius_, x_ * (2 * radius_), y_ * (2 * radius_), point);
-    const Vec3 element = square.sample(u);
+    // Directions over the rectangle about the disc; what misses the disc carries no light.
+    const SphericalRectangle rectangle(center_ - x_ - y_, x_ * 2.0, y_ * 2.0, point);
+    const Vec3 element = rectangle.sample(u);
     const Vec3 fromCenter = element - center_, toElement = element - point;
-    if (glm::dot(fromCenter, fromCenter) > radius_ * radius_) return {};
+    const double a = glm::dot(fromCenter, x_) / glm::dot(x_, x_), b = glm::dot(fromCenter, y_) / glm::dot(y_, y_);
+    if (a * a + b * b > 1) return {};
     const double distance = glm::length(toElement);
     const Vec3 direction = toElement / distance;
     const double cosine = std::abs(glm::dot(direction, axis_));
     if (cosine <= 0) return {};
-    return {direction, distance, elementIntensity(axis_, -direction) / cosine * square.solidAngle()};
+    return {direction, distance, elementIntensity(axis_, -direction) / cosine * rectangle.solidAngle()};
   }
 
   [[nodiscard]] Illuminance illuminance(const Vec3& point, const Vec3& normal, double tolerance) const override {
     const double side = uniformSide(point);
     if (side == 0) return {};
-    if (side > 0)
-      if (const auto factor = discFactor(center_, axis_, radius_, point, normal)) return {side * *factor, 0};
+    if (side > 0 && round_)
+      if (const auto factor = discFactor(center_, axis_, boundingRadius_, point, normal)) return {side * *factor, 0};
     return OpeningEmitter::illuminance(point, normal, tolerance);
   }
 
@@ -128,8 +135,8 @@ class DiscEmitter final : public FlatOpening {
   [[nodiscard]] int patchCount() const override { return 1; }
   // Polar map: smooth in both coordinates, as quadrature likes it.
   [[nodiscard]] Element element(int, const Vec2& uv, const Vec3&) const override {
-    const double r = radius_ * uv.x, angle = 2 * core::pi * uv.y;
-    return {center_ + (x_ * std::cos(angle) + y_ * std::sin(angle)) * r, axis_, 2 * core::pi * radius_ * r};
+    const double angle = 2 * core::pi * uv.y;
+    return {center_ + (x_ * std::cos(angle) + y_ * std::sin(angle)) * uv.x, axis_, 2 * area_ * uv.x};
   }
 
  private:
@@ -138,13 +145,13 @@ class DiscEmitter final : public FlatOpening {
     const double a = 2 * u.x - 1, b = 2 * u.y - 1;
     if (a == 0 && b == 0) return center_;
     const bool wide = std::abs(a) > std::abs(b);
-    const double r = radius_ * (wide ? a : b);
+    const double r = wide ? a : b;
     const double angle = wide ? 0.25 * core::pi * (b / a) : 0.5 * core::pi - 0.25 * core::pi * (a / b);
     return center_ + (x_ * std::cos(angle) + y_ * std::sin(angle)) * r;
   }
 
-  Vec3 x_, y_;
-  double radius_;
+  Vec3 x_, y_;  // half axes
+  bool round_;
 };
 
 class TriangleEmitter final : public Emitter {

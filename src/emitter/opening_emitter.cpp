@@ -123,8 +123,11 @@ std::unique_ptr<Emitter> makeEmitter(const Opening& opening, const Vec3& center,
     case Opening::Shape::box:
       return makeBoxEmitter(opening, center, output);
     case Opening::Shape::sphere:
-      return makeSphereEmitter(opening, center, output);
+      return isRound(opening) ? makeSphereEmitter(opening, center, output)
+                              : makeEllipsoidEmitter(opening, center, output);
     case Opening::Shape::cylinder:
+      return isRound(opening) ? makeCylinderEmitter(opening, center, output)
+                              : makeEllipticCylinderEmitter(opening, center, output);
     case Opening::Shape::tube:
       return makeCylinderEmitter(opening, center, output);
     case Opening::Shape::line:

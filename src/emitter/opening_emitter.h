@@ -62,6 +62,9 @@ std::unique_ptr<Emitter> makeDiscEmitter(const Opening& opening, const core::Vec
 std::unique_ptr<Emitter> makeBoxEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
 std::unique_ptr<Emitter> makeSphereEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
 std::unique_ptr<Emitter> makeCylinderEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
+std::unique_ptr<Emitter> makeEllipsoidEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
+std::unique_ptr<Emitter> makeEllipticCylinderEmitter(const Opening& opening, const core::Vec3& center,
+                                                     const Output& output);
 std::unique_ptr<Emitter> makeLineEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
 
 }  // namespace goniolux::emitter

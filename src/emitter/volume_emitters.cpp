@@ -17,7 +17,7 @@ using core::Vec3;
 class SphereEmitter final : public OpeningEmitter {
  public:
   SphereEmitter(const Opening& opening, const Vec3& center, const Output& output)
-      : OpeningEmitter(center, 0.5 * opening.diameter, output), radius_(0.5 * opening.diameter) {
+      : OpeningEmitter(center, 0.5 * diametersOf(opening).x, output), radius_(0.5 * diametersOf(opening).x) {
     setEmittingArea(4 * core::pi * radius_ * radius_);
   }
 
@@ -75,7 +75,7 @@ class BoxEmitter final : public OpeningEmitter {
  public:
   BoxEmitter(const Opening& opening, const Vec3& center, const Output& output)
       : OpeningEmitter(center, 0.5 * std::hypot(opening.length, opening.width, opening.height), output),
-        axes_{output.frame.c0, output.frame.c90, output.frame.aim},
+        axes_{axesOf(opening, output.frame).x, axesOf(opening, output.frame).y, axesOf(opening, output.frame).z},
         half_{0.5 * opening.length, 0.5 * opening.width, 0.5 * opening.height} {
     for (int i = 0; i < 3; ++i) faceArea_[i] = 4 * half_[(i + 1) % 3] * half_[(i + 2) % 3];
     setEmittingArea(2 * (faceArea_[0] + faceArea_[1] + faceArea_[2]));
@@ -133,10 +133,11 @@ class BoxEmitter final : public OpeningEmitter {
 class CylinderEmitter final : public OpeningEmitter {
  public:
   CylinderEmitter(const Opening& opening, const Vec3& center, const Output& output, bool caps)
-      : OpeningEmitter(center, 0.5 * std::hypot(caps ? opening.height : opening.length, opening.diameter), output),
-        axis_(caps ? output.frame.aim : glm::normalize(opening.axis)),
+      : OpeningEmitter(center, 0.5 * std::hypot(caps ? opening.height : opening.length, diametersOf(opening).x),
+                       output),
+        axis_(caps ? axesOf(opening, output.frame).z : glm::normalize(opening.axis)),
         length_(caps ? opening.height : opening.length),
-        radius_(0.5 * opening.diameter),
+        radius_(0.5 * (caps ? diametersOf(opening).x : opening.diameter)),
         caps_(caps) {
     capArea_ = caps ? core::pi * radius_ * radius_ : 0.0;
     setEmittingArea(2 * core::pi * radius_ * length_ + 2 * capArea_);

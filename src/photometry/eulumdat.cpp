@@ -146,9 +146,7 @@ class Reader {
       opening.shape = height > 0 ? StatedOpening::Shape::cylinder : StatedOpening::Shape::disc;
       opening.length = opening.width = std::max(length, width);
     } else if (height > 0) {
-      opening.shape = StatedOpening::Shape::other;
-      opening.note = "luminous heights without an area";
-      warn(position_, "opening-other", "the luminous area has heights but no length and width; kept as text only");
+      opening.shape = StatedOpening::Shape::line;
     }
   }
 

@@ -253,7 +253,8 @@ double TabulatedDistribution::atAngles(double horizontalDegrees, double vertical
   const AngleAxis::Place v = vertical_.find(verticalDegrees);
   const AngleAxis::Place p = horizontal_.find(h);
   const double* low = candelas_.data() + p.index * vertical_.degrees().size() + v.index;
-  const auto along = [&](const double* plane) { return plane[0] + v.fraction * (plane[1] - plane[0]); };
+  // In this form both ends come out to the last bit.
+  const auto along = [&](const double* plane) { return (1 - v.fraction) * plane[0] + v.fraction * plane[1]; };
   if (p.fraction == 0) return along(low);
   const double a = along(low), b = along(low + vertical_.degrees().size());
   return p.fraction == 1 ? b : a + p.fraction * (b - a);

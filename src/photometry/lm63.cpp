@@ -147,8 +147,7 @@ class Reader {
   void readOpening(double width, double length, double height, int units, const SourcePosition& position) {
     file_.opening = lm63Opening(edition_, width, length, height, units == 1 ? metresPerFoot : 1.0);
     if (file_.opening.shape == StatedOpening::Shape::other) {
-      warn(position, "opening-other",
-           fmt::format("the luminous opening is a shape that is kept as text only: {}", file_.opening.note));
+      warn(position, "opening-other", fmt::format("{}; it is taken as a point", file_.opening.note));
     }
   }
 

@@ -1,5 +1,6 @@
-// Luminous openings of LM-63. Sign patterns (width, length, height), from LM-63-1986 to -2019:
-//   0 0 0 point · + + 0 rectangle · + + + box
+// Luminous openings of LM-63. Sign patterns (width, length, height), from LM-63-1986 to -2019; width lies across the
+// 0-180 plane, length along it:
+//   0 0 0 point · + + 0 rectangle · + + + box · 0 + + and + 0 + upright rectangles · one number alone: a line
 //   1986, 1991: - 0 0 circle · - 0 + vertical cylinder · - + 0 ellipse · - + + ellipsoid
 //   1995:       - 0 0 circle · - 0 + vertical cylinder · - 0 - sphere · 0 + - and + 0 - horizontal cylinders along and
 //   across
@@ -17,6 +18,7 @@ namespace goniolux::photometry {
 namespace {
 
 using Shape = StatedOpening::Shape;
+using Axis = StatedOpening::Axis;
 
 char sign(double value) {
   return value < 0 ? '-' : value > 0 ? '+' : '0';
@@ -33,59 +35,43 @@ StatedOpening lm63Opening(Lm63Edition edition, double width, double length, doub
                h = std::abs(height) * metresPerUnit;
   const char pattern[] = {sign(width), sign(length), sign(height), '\0'};
   const std::string signs = pattern;
-  StatedOpening opening{Shape::other, l, w, h, false, ""};
-  const auto round = [&](Shape shape, double diameter, double tall) {
+  const auto made = [&](Shape shape, Axis axis, double alongC0, double across, double tall) {
+    StatedOpening opening;
     opening.shape = shape;
-    opening.length = opening.width = diameter;
+    opening.axis = axis;
+    opening.length = alongC0;
+    opening.width = across;
     opening.height = tall;
     return opening;
   };
-  const auto other = [&](std::string note) {
-    opening.note = std::move(note);
-    return opening;
-  };
-  const auto horizontalCylinder = [&](double diameter, double across, double along, const char* direction) {
-    const char* kind = isEqual(diameter, across) ? "horizontal cylinder" : "horizontal elliptical cylinder";
-    return other(
-        fmt::format("{} {} the 0-180 plane, length {:g} m, diameter {:g} m", kind, direction, along, diameter));
-  };
-  if (signs == "000") {
-    opening.shape = Shape::point;
-    return opening;
-  }
-  if (signs == "++0" || signs == "+++") {
-    opening.shape = height > 0 ? Shape::box : Shape::rectangle;
-    return opening;
-  }
-  if (signs == "-00" || signs == "0-0") return round(Shape::disc, std::max(w, l), 0);
-  if (signs == "-0+" || signs == "0-+") return round(Shape::cylinder, std::max(w, l), h);
-  if (signs == "--0")
-    return isEqual(w, l) ? round(Shape::disc, w, 0) : other(fmt::format("ellipse {:g} m by {:g} m", l, w));
-  if (signs == "--+") {
-    return isEqual(w, l) ? round(Shape::cylinder, w, h)
-                         : other(fmt::format("elliptical cylinder {:g} m by {:g} m, {:g} m high", l, w, h));
-  }
-  if (signs == "---") {
-    return isEqual(w, l) && isEqual(w, h) ? round(Shape::sphere, w, w)
-                                          : other(fmt::format("ellipsoid {:g} m by {:g} m by {:g} m", l, w, h));
-  }
+  const double round = std::max(w, l);
+  if (signs == "000") return {};
+  if (signs == "++0") return made(Shape::rectangle, Axis::aim, l, w, 0);
+  if (signs == "+++") return made(Shape::box, Axis::aim, l, w, h);
+  if (signs == "0++") return made(Shape::rectangle, Axis::widthwise, l, 0, h);
+  if (signs == "+0+") return made(Shape::rectangle, Axis::lengthwise, 0, w, h);
+  if (signs == "0+0" || signs == "+00" || signs == "00+") return made(Shape::line, Axis::aim, l, w, h);
+  if (signs == "-00" || signs == "0-0") return made(Shape::disc, Axis::aim, round, round, 0);
+  if (signs == "-0+" || signs == "0-+") return made(Shape::cylinder, Axis::aim, round, round, h);
+  if (signs == "--0" || signs == "-+0" || signs == "+-0") return made(Shape::disc, Axis::aim, l, w, 0);
+  if (signs == "--+") return made(Shape::cylinder, Axis::aim, l, w, h);
+  if (signs == "---") return made(Shape::sphere, Axis::aim, l, w, h);
   if (signs == "-0-") {
-    if (edition <= Lm63Edition::e1995 && isEqual(w, h)) return round(Shape::sphere, w, w);
-    return other(fmt::format("upright disc facing the 0 degree plane, {:g} m wide, {:g} m high", w, h));
+    if (edition <= Lm63Edition::e1995 && isEqual(w, h)) return made(Shape::sphere, Axis::aim, w, w, w);
+    return made(Shape::disc, Axis::lengthwise, 0, w, h);
   }
-  if (signs == "0+-") return horizontalCylinder(h, h, l, "along");
-  if (signs == "+0-") return horizontalCylinder(h, h, w, "across");
-  if (signs == "-+-" && edition >= Lm63Edition::e2002) return horizontalCylinder(w, h, l, "along");
-  if (signs == "+--" && edition >= Lm63Edition::e2002) return horizontalCylinder(l, h, w, "across");
-  if (signs == "-+0" || signs == "+-0") return other(fmt::format("ellipse {:g} m by {:g} m", l, w));
-  if (signs == "-++" || signs == "+-+") {
-    const char* kind = edition == Lm63Edition::e1995 ? "elliptical cylinder" : "ellipsoid";
-    return other(fmt::format("{} {:g} m by {:g} m by {:g} m", kind, l, w, h));
-  }
-  if (signs == "-+-" || signs == "+--") return other(fmt::format("ellipsoid {:g} m by {:g} m by {:g} m", l, w, h));
-  if (signs == "0+0" || signs == "+00" || signs == "00+") return other("line without width");
-  if (signs == "0++" || signs == "+0+") return other("upright rectangle");
-  return other("no shape that LM-63 knows");
+  if (signs == "0--") return made(Shape::disc, Axis::widthwise, l, 0, h);
+  if (signs == "0+-") return made(Shape::cylinder, Axis::lengthwise, l, h, h);
+  if (signs == "+0-") return made(Shape::cylinder, Axis::widthwise, h, w, h);
+  if (signs == "-+-" && edition >= Lm63Edition::e2002) return made(Shape::cylinder, Axis::lengthwise, l, w, h);
+  if (signs == "+--" && edition >= Lm63Edition::e2002) return made(Shape::cylinder, Axis::widthwise, l, w, h);
+  if ((signs == "-++" || signs == "+-+") && edition >= Lm63Edition::e1995)
+    return made(Shape::cylinder, Axis::aim, l, w, h);
+  if (signs == "-++" || signs == "+-+" || signs == "-+-" || signs == "+--")
+    return made(Shape::sphere, Axis::aim, l, w, h);
+  StatedOpening other = made(Shape::other, Axis::aim, l, w, h);
+  other.note = fmt::format("width {:g}, length {:g}, height {:g} is no shape that LM-63 knows", width, length, height);
+  return other;
 }
 
 }  // namespace goniolux::photometry

@@ -17,13 +17,17 @@
 
 namespace goniolux::photometry {
 
-/// The luminous opening that the file states. Flat shapes have height 0.
+/// The luminous opening that the file states, by its extents along its length, across it and along the aim. Flat shapes
+/// have one extent of 0, along their axis. A disc, cylinder or sphere of unequal extents is elliptical.
 struct StatedOpening {
-  enum class Shape { point, rectangle, disc, box, cylinder, sphere, other };
+  enum class Shape { point, line, rectangle, disc, box, cylinder, sphere, other };
+  /// Where the normal of a flat shape, or the axis of a cylinder, points.
+  enum class Axis { aim, lengthwise, widthwise };
   Shape shape = Shape::point;
-  double length = 0, width = 0, height = 0;  ///< m; for disc, cylinder and sphere length = width = diameter
+  Axis axis = Axis::aim;
+  double length = 0, width = 0, height = 0;  ///< m
   bool lengthAlongC90 = false;               ///< EULUMDAT: length along C90; LM-63: along C0
-  std::string note;  ///< for `other`: what the file says, e.g. "horizontal cylinder along the length"
+  std::string note;                          ///< for `other`: what the file says
 };
 
 /// LM-63's table of lamp output against tilt. The distribution has the factor of 0 degrees (usually 1) applied; a

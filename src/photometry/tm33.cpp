@@ -11,6 +11,7 @@
 
 #include "core/text.h"
 #include "photometry/candela_table.h"
+#include "photometry/stated_intensities.h"
 
 namespace goniolux::photometry {
 namespace {
@@ -62,11 +63,6 @@ enum class Quantity { luminous, radiant, photon };
 struct IntensityBlock {
   xml_node node;
   Quantity quantity = Quantity::luminous;
-};
-
-struct Intensity {
-  double h, v, value;
-  SourcePosition at;
 };
 
 class Reader {
@@ -253,8 +249,8 @@ class Reader {
     return *value;
   }
 
-  std::vector<Intensity> readIntensities(const xml_node& block) {
-    std::vector<Intensity> list;
+  std::vector<StatedIntensity> readIntensities(const xml_node& block) {
+    std::vector<StatedIntensity> list;
     for (const xml_node& node : block.children()) {
       if (localName(node) != "IntData" && localName(node) != "IntensityData") continue;
       const auto value = core::parseNumber(text(node));
@@ -268,7 +264,7 @@ class Reader {
   }
 
   // IESXML: a list of C planes and a row of intensities for each gamma.
-  void readMatrix(const xml_node& block, std::vector<Intensity>& list) {
+  void readMatrix(const xml_node& block, std::vector<StatedIntensity>& list) {
     const auto numbersOf = [&](const xml_node& node) {
       std::vector<double> values;
       const std::string content = node.child_value();
@@ -296,42 +292,11 @@ class Reader {
     }
   }
 
-  CandelaTable tableOf(std::vector<Intensity> list, const xml_node& block) {
-    if (list.empty())
-      throw core::InputError(places_.of(block), "no-intensities", "the list of intensities is empty; supply it");
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Intensity& a, const Intensity& b) { return a.h < b.h || (a.h == b.h && a.v < b.v); });
-    CandelaTable table;
-    table.horizontalAt = table.verticalAt = table.candelasAt = places_.of(block);
-    for (const Intensity& each : list) {
-      if (each.value < 0) {
-        throw core::InputError(each.at, "negative-candela",
-                               fmt::format("the intensity {} is below 0, which none can be; correct it", each.value));
-      }
-      if (table.horizontal.empty() || each.h != table.horizontal.back()) table.horizontal.push_back(each.h);
-      if (each.h == list.front().h) table.vertical.push_back(each.v);
-      table.candelas.push_back(each.value);
-    }
-    const std::size_t n = table.vertical.size();
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (list.size() == table.horizontal.size() * n && list[i].v == table.vertical[i % n]) continue;
-      throw core::InputError(list[i].at, "table-incomplete",
-                             fmt::format("the intensities do not fill a table of {} horizontal by {} vertical angles: "
-                                         "one is missing or stated twice near h {}, v {}",
-                                         table.horizontal.size(), n, list[i].h, list[i].v));
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-      if (table.vertical[i] > table.vertical[i - 1]) continue;
-      throw core::InputError(list[i].at, "angles-not-ascending",
-                             fmt::format("the intensity at h {}, v {} is stated twice", list[i].h, list[i].v));
-    }
-    return table;
-  }
-
   void readTable(const std::vector<IntensityBlock>& blocks, const xml_node& root) {
-    CandelaTable table = tableOf(readIntensities(blocks.front().node), blocks.front().node);
+    const xml_node& first = blocks.front().node;
+    CandelaTable table = tableOfIntensities(readIntensities(first), places_.of(first));
     for (std::size_t i = 1; i < blocks.size(); ++i) {
-      const CandelaTable other = tableOf(readIntensities(blocks[i].node), blocks[i].node);
+      const CandelaTable other = tableOfIntensities(readIntensities(blocks[i].node), places_.of(blocks[i].node));
       if (other.horizontal != table.horizontal || other.vertical != table.vertical) {
         throw core::InputError(places_.of(blocks[i].node), "not-supported",
                                "not supported: emitters with different lists of angles; give each a file of its own");
@@ -343,9 +308,12 @@ class Reader {
            fmt::format("the intensities of {} emitters are added up, as if they stood in one place", blocks.size()));
     }
     table.type = typeOf(root);
-    if (const auto factor = number(blocks.front().node, {"Multiplier"})) table.factor = *factor;
+    if (const auto factor = number(first, {"Multiplier"})) table.factor = *factor;
     noteUnits(root);
-    if (table.type == PhotometryType::c) closeBySymmetry(table, blocks.front().node);
+    std::string stated;
+    for (const char* name : {"SymmType", "Symm"})
+      if (const xml_node node = childNamed(first, name)) stated = text(node);
+    if (table.type == PhotometryType::c) closeBySymmetry(table, stated, file_.warnings);
     file_.distribution = makeDistribution(std::move(table), file_.warnings);
     file_.symmetry = symmetryName(file_.distribution->symmetry());
   }
@@ -367,34 +335,6 @@ class Reader {
            fmt::format("{} equal emitters are stated; the intensities are read as those of all of them: the flux is "
                        "{} times as high if they are those of one",
                        *quantity, *quantity));
-    }
-  }
-
-  // The angles tell the symmetry, as in LM-63; the file says it, too.
-  void closeBySymmetry(CandelaTable& table, const xml_node& block) {
-    std::string stated;
-    for (const char* name : {"SymmType", "Symm"})
-      if (const xml_node node = childNamed(block, name)) stated = text(node);
-    stated.erase(std::remove(stated.begin(), stated.end(), ' '), stated.end());
-    if (stated.empty() || table.horizontal.size() < 2) return;
-    const double last = table.horizontal.back();
-    const bool none = stated.ends_with("None") || stated.ends_with("Arb");
-    if (none && last <= 180) {
-      table.horizontal.push_back(360);
-      const auto n = static_cast<std::ptrdiff_t>(table.vertical.size());
-      const std::vector<double> plane(table.candelas.begin(), table.candelas.begin() + n);
-      table.candelas.insert(table.candelas.end(), plane.begin(), plane.end());
-      return;
-    }
-    const auto symmetry = horizontalSymmetry(PhotometryType::c, table.horizontal);
-    const bool fits = none || !symmetry || (stated.ends_with("Quad") && *symmetry == HorizontalSymmetry::quadrant) ||
-                      (stated.find("Bi") != std::string::npos &&
-                       (*symmetry == HorizontalSymmetry::aboutC0 || *symmetry == HorizontalSymmetry::aboutC90)) ||
-                      *symmetry == HorizontalSymmetry::none;
-    if (!fits) {
-      warn(places_.of(block), "symmetry-differs",
-           fmt::format("the file says {}, its angles run from {} to {}: read as {}", stated, table.horizontal.front(),
-                       last, symmetryName(*symmetry)));
     }
   }
 

@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <string>
 
+#include "core/text.h"
 #include "photometry/photometric_file.h"
+#include "pipeline/luminaire_figures.h"
 #include "pipeline/luminaire_sheet.h"
-#include "pipeline/polar.h"
+#include "pipeline/luminaire_tables.h"
+#include "pipeline/luminaire_tools.h"
 #include "pipeline/stages.h"
 
 namespace goniolux::pipeline {
@@ -56,10 +59,34 @@ std::string pictureFor(const std::string& file, const std::string& picture, bool
       .string();
 }
 
+double turnOf(const StageRequest& request) {
+  const std::string text = option(request, "turn");
+  return text.empty() ? 0 : core::parseNumber(text).value_or(0);  // the command line has checked that it is a number
+}
+
+bool isFull(const StageRequest& request) {
+  const std::string sheet = option(request, "sheet");
+  if (sheet.empty() || sheet == "short") return false;
+  if (sheet == "full") return true;
+  throw core::InputError({}, "bad-option", fmt::format("--sheet {}: take short or full", sheet));
+}
+
 StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   StageReport report;
   const photometry::Strictness mode = strictness(request);
+  const std::string& first = request.inputs.front();
+  if (first == "convert" || first == "compare") {
+    if (request.inputs.size() != 3) {
+      throw core::InputError({}, "usage",
+                             first == "convert" ? "goniolux luminaire convert needs IN and OUT"
+                                                : "goniolux luminaire compare needs two files, A and B");
+    }
+    return first == "convert" ? convertLuminaire(request.inputs[1], request.inputs[2], turnOf(request), mode)
+                              : compareLuminaires(request.inputs[1], request.inputs[2], mode);
+  }
+  const bool full = isFull(request);
   const std::string picture = option(request, "plot");
+  const std::string diagram = option(request, "diagram").empty() ? "polar" : option(request, "diagram");
   Value::Array entries;
   double done = 0;
   for (const std::string& path : request.inputs) {
@@ -67,11 +94,13 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
     try {
       const photometry::PhotometricFile file = photometry::readPhotometricFile(path, mode);
       entries.push_back(luminaireDocument(file));
+      if (full) addTables(file, entries.back());
       if (!report.text.empty()) report.text += '\n';
       report.text += luminaireText(file);
+      if (full) report.text += tablesText(file);
       if (!picture.empty()) {
         const std::string name = pictureFor(path, picture, request.inputs.size() == 1);
-        if (drawPolarDiagram(file, name, report.warnings)) report.files.push_back(name);
+        if (drawLuminaire(file, diagram, name, report.warnings)) report.files.push_back(name);
       }
     } catch (const core::InputError& error) {  // the other files are still worth reading
       entries.push_back(errorDocument(path, firstError(error.diagnostics())));
@@ -98,6 +127,14 @@ core::Parameter textOption(const char* key, const char* title, const char* fallb
   return parameter;
 }
 
+core::Parameter turnOption() {
+  core::Parameter parameter =
+      textOption("turn", "angle", "0", "for convert: what was at C0 is at this angle afterwards");
+  parameter.kind = core::ParameterKind::number;
+  parameter.unit = "degrees";
+  return parameter;
+}
+
 }  // namespace
 
 Stage luminaireStage() {
@@ -110,11 +147,19 @@ Stage luminaireStage() {
       "zonal-constant and the declared flux, largest intensity, beam and field angles, CIE flux code, zonal flux, and "
       "every assumption that "
       "was made in reading, with its line and rule. A file that cannot be read gets a message with its line; the "
-      "others are still shown.";
+      "others are still shown. 'goniolux luminaire convert IN OUT' writes IN as LM-63-2019 (.ies), EULUMDAT (.ldt) or "
+      "TM-33 (.xml); 'goniolux luminaire compare A B' says how far two files are apart.";
   stage.inputName = "FILE";
   stage.manyInputs = true;
   stage.options = {
       textOption("plot", "picture of the file's diagram", "", "ends in .png or .svg; drawn by goniolux-plot"),
+      textOption(
+          "diagram", "what is drawn", "polar",
+          "polar, cartesian, solid (the photometric solid) or near-field (error of the point model over distance)"),
+      textOption("sheet", "what is shown", "short",
+                 "full: also spacing criterion, utilisation factors, UGR table, and the paper's diagrams beside the "
+                 "table"),
+      turnOption(),
       textOption("mode", "how the file is read", "lenient",
                  "lenient: what is unambiguous is read, with warnings; strict: a departure from the "
                  "format is an error")};

@@ -29,24 +29,39 @@ const char* typeName(photometry::PhotometryType type) {
   return "C";
 }
 
-const char* shapeName(StatedOpening::Shape shape) {
-  switch (shape) {
+const char* shapeName(const StatedOpening& opening) {
+  const bool round = opening.length == opening.width;
+  switch (opening.shape) {
     case StatedOpening::Shape::point:
       return "point";
+    case StatedOpening::Shape::line:
+      return "line";
     case StatedOpening::Shape::rectangle:
       return "rectangle";
     case StatedOpening::Shape::disc:
-      return "disc";
+      return round || opening.axis != StatedOpening::Axis::aim ? "disc" : "ellipse";
     case StatedOpening::Shape::box:
       return "box";
     case StatedOpening::Shape::cylinder:
       return "cylinder";
     case StatedOpening::Shape::sphere:
-      return "sphere";
+      return round && opening.length == opening.height ? "sphere" : "ellipsoid";
     case StatedOpening::Shape::other:
       break;
   }
   return "other";
+}
+
+const char* axisName(StatedOpening::Axis axis) {
+  switch (axis) {
+    case StatedOpening::Axis::lengthwise:
+      return "length";
+    case StatedOpening::Axis::widthwise:
+      return "width";
+    case StatedOpening::Axis::aim:
+      break;
+  }
+  return "aim";
 }
 
 Value orNull(const std::optional<double>& value) {
@@ -62,7 +77,8 @@ Value planesDocument(const PhotometricFile& file, double fraction) {
 
 Value openingDocument(const StatedOpening& opening) {
   Value value;
-  value.set("shape", shapeName(opening.shape));
+  value.set("shape", shapeName(opening));
+  value.set("axis", axisName(opening.axis));
   value.set("length_m", opening.length);
   value.set("width_m", opening.width);
   value.set("height_m", opening.height);
@@ -100,27 +116,6 @@ std::string titleLine(const PhotometricFile& file) {
     if (!value.empty()) title += (title.empty() ? "" : " | ") + value;
   }
   return title;
-}
-
-std::string openingText(const StatedOpening& o) {
-  const char* along = o.lengthAlongC90 ? "length along C90" : "length along C0";
-  switch (o.shape) {
-    case StatedOpening::Shape::point:
-      return "point";
-    case StatedOpening::Shape::rectangle:
-      return fmt::format("rectangle {:g} x {:g} m, {}", o.length, o.width, along);
-    case StatedOpening::Shape::box:
-      return fmt::format("box {:g} x {:g} m, {:g} m high, {}", o.length, o.width, o.height, along);
-    case StatedOpening::Shape::disc:
-      return fmt::format("disc, diameter {:g} m", o.length);
-    case StatedOpening::Shape::cylinder:
-      return fmt::format("upright cylinder, diameter {:g} m, {:g} m high", o.length, o.height);
-    case StatedOpening::Shape::sphere:
-      return fmt::format("sphere, diameter {:g} m", o.length);
-    case StatedOpening::Shape::other:
-      break;
-  }
-  return o.note;
 }
 
 std::string row(const std::string& label, const std::string& value) {
@@ -194,6 +189,26 @@ std::string warningsText(const PhotometricFile& file) {
 
 }  // namespace
 
+std::string openingText(const StatedOpening& o) {
+  if (o.shape == StatedOpening::Shape::point) return "point";
+  if (o.shape == StatedOpening::Shape::other) return o.note;
+  const char* along = o.lengthAlongC90 ? "C90" : "C0";
+  const char* across = o.lengthAlongC90 ? "C0" : "C90";
+  std::string text = shapeName(o);
+  if (o.shape == StatedOpening::Shape::cylinder || o.shape == StatedOpening::Shape::disc) {
+    if (o.axis != StatedOpening::Axis::aim)
+      text = fmt::format("{} with its axis along {}", text, o.axis == StatedOpening::Axis::lengthwise ? along : across);
+    else if (o.shape == StatedOpening::Shape::cylinder)
+      text = "upright " + text;
+  } else if (o.axis != StatedOpening::Axis::aim) {
+    text = "upright " + text;
+  }
+  if (o.length > 0) text += fmt::format(", {:g} m along {}", o.length, along);
+  if (o.width > 0) text += fmt::format(", {:g} m along {}", o.width, across);
+  if (o.height > 0) text += fmt::format(", {:g} m high", o.height);
+  return text;
+}
+
 Value luminaireDocument(const PhotometricFile& file) {
   const photometry::TabulatedDistribution& d = *file.distribution;
   const photometry::IntensityPeak peak = photometry::intensityPeak(d);
@@ -256,8 +271,8 @@ std::string luminaireText(const PhotometricFile& file) {
                                                      lumensPerWatt ? fmt::format(", {:.1f} lm/W", *lumensPerWatt) : "")
                                        : "not stated");
   text += fluxesText(file);
-  text += row("largest intensity", fmt::format("{:.6g} {} at C {:g}, gamma {:g}", peak.intensity_cd,
-                                               file.intensityUnit, peak.c, peak.gamma));
+  text += row("largest intensity", fmt::format("{:.6g} {} at C {:g}, gamma {:g}", peak.intensity_cd, file.intensityUnit,
+                                               peak.c, peak.gamma));
   text += widthsText(file, "beam angle", 0.5) + widthsText(file, "field angle", 0.1);
   text += fluxCodeText(file) + zonesText(file) + warningsText(file);
   return text;

@@ -36,20 +36,22 @@ LuminaireOutline luminaireOutline(const scene::Luminaire& luminaire) {
   using Shape = emitter::Opening::Shape;
   LuminaireOutline outline{luminaire.name, luminaire.type, luminaire.center, luminaire.frame.aim, {}};
   const emitter::Opening& opening = luminaire.opening;
-  const Vec3 center = luminaire.center, c0 = luminaire.frame.c0, c90 = luminaire.frame.c90;
+  const Vec3 center = luminaire.center;
+  const emitter::OpeningAxes axes = emitter::axesOf(opening, luminaire.frame);
+  const Vec3 radii = 0.5 * emitter::diametersOf(opening);
   switch (opening.shape) {
     case Shape::point:
       break;
     case Shape::rectangle:
     case Shape::box:
-      addPolygon(outline.footprint, center, c0 * (opening.length / 2), c90 * (opening.width / 2));
+      addPolygon(outline.footprint, center, axes.x * (opening.length / 2), axes.y * (opening.width / 2));
       break;
     case Shape::disc:
     case Shape::cylinder:
-      addCircle(outline.footprint, center, c0, c90, opening.diameter / 2);
+      addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
       break;
     case Shape::sphere:
-      addCircle(outline.footprint, center, {1, 0, 0}, {0, 1, 0}, opening.diameter / 2);
+      addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
       break;
     case Shape::line:
       outline.footprint = {center - opening.axis * (opening.length / 2), center + opening.axis * (opening.length / 2)};

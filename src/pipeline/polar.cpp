@@ -5,9 +5,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/document.h"
-#include "pipeline/plot.h"
-
 namespace goniolux::pipeline {
 namespace {
 
@@ -53,25 +50,6 @@ plot::PolarDiagram polarDiagramOf(const photometry::PhotometricFile& file) {
   diagram.curves.push_back(curveOf(*file.distribution, 0, rotational ? "all C planes" : "C0 (right) – C180"));
   if (!rotational) diagram.curves.push_back(curveOf(*file.distribution, 90, "C90 (right) – C270"));
   return diagram;
-}
-
-bool drawPolarDiagram(const photometry::PhotometricFile& file, const std::string& picture,
-                      core::Diagnostics& warnings) {
-  if (!picture.ends_with(".png") && !picture.ends_with(".svg")) {
-    throw core::InputError({}, "picture-format", picture + ": pictures are written as .png or .svg; name the file so");
-  }
-  const fs::path target = picture;
-  const std::string figure = (target.parent_path() / (target.stem().string() + ".figure.json")).string();
-  core::writeFile(figure, core::toJson(plot::toJson(polarDiagramOf(file))));
-  std::error_code error;
-  fs::remove(target, error);  // an earlier picture must not pass for this one
-  if (const std::string trouble = drawFigure(figure, {picture}); !trouble.empty()) {
-    warnings.warning({}, "cannot-draw",
-                     fmt::format("drawing is not possible here: {}; the numbers are in {}", trouble, figure));
-    return false;
-  }
-  fs::remove(figure, error);
-  return true;
 }
 
 }  // namespace goniolux::pipeline

@@ -129,8 +129,9 @@ std::string figureKind(const core::Value& document) {
   if (text(document, "format") != "goniolux-figure") bad(member(document, "format"), "this is no figure");
   wholeNumber(document, "version", 1, 1);
   std::string kind = text(document, "kind");
-  if (kind != "plan-map" && kind != "polar-diagram") {
-    bad(member(document, "kind"), "there is no such kind of figure; there are plan-map and polar-diagram");
+  if (kind != "plan-map" && kind != "polar-diagram" && kind != "line-chart" && kind != "photometric-solid") {
+    bad(member(document, "kind"),
+        "there is no such kind of figure; there are plan-map, polar-diagram, line-chart and photometric-solid");
   }
   return kind;
 }

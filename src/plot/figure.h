@@ -50,8 +50,8 @@ struct PlanMap {
   std::vector<MapLuminaire> luminaires;
 };
 
-/// The kind of a figure: "plan-map" or "polar-diagram". Throws core::InputError if the document is no figure of this
-/// version.
+/// The kind of a figure: "plan-map", "polar-diagram", "line-chart" or "photometric-solid". Throws core::InputError if
+/// the document is no figure of this version.
 std::string figureKind(const core::Value& document);
 
 core::Value toJson(const PlanMap& map);

@@ -67,7 +67,8 @@ class LuminaireReader {
     const auto photometry = readPhotometry(section, reading_);
     readSpectrumKey(section, photometry ? photometry->file : nullptr, luminaire);
     // An unreadable file must not hide what is wrong with a stated shape.
-    auto opening = readOpening(section.find("shape"), photometry ? photometry->file : nullptr, reading_);
+    auto opening =
+        readOpening(section.find("shape"), photometry ? photometry->file : nullptr, luminaire.frame, reading_);
     if (!position || !placed || !array || !photometry || !opening) return;
     if (!photometry->distribution && !hasSurface(*opening)) {
       section.refuse(
@@ -75,7 +76,9 @@ class LuminaireReader {
           "\"diffuse\" light leaves a surface: give \"shape\", e.g. a tube or a rectangle (or take \"isotropic\")");
       return;
     }
-    opening->axis = rotation(luminaire.frame.aim, turn_) * opening->axis;
+    // An axis that the project states turns along; that of a file's opening comes from the turned frame.
+    if (const core::Value* shape = section.find("shape"); shape && shape->isObject())
+      opening->axis = rotation(luminaire.frame.aim, turn_) * opening->axis;
     luminaire.opening = *opening;
     luminaire.photometry = photometry->name;
     luminaire.distribution = photometry->distribution;

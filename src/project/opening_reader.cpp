@@ -55,17 +55,16 @@ std::optional<emitter::Opening> readStated(const core::Value& shape, Reading& re
   return section.failed() ? std::nullopt : std::optional(opening);
 }
 
-emitter::Opening automatic(const core::Value* shape, const photometry::PhotometricFile* file, Reading& reading) {
+emitter::Opening automatic(const core::Value* shape, const photometry::PhotometricFile* file,
+                           const photometry::LuminaireFrame& frame, Reading& reading) {
   if (!file) return {};
-  const emitter::Opening opening = openingOf(file->opening);
+  emitter::Opening opening = openingOf(file->opening);
+  if (opening.shape == Shape::line) opening.axis = emitter::axesOf(opening, frame).z;
   if (file->opening.shape == photometry::StatedOpening::Shape::other) {
     reading.diagnostics.warning(
         shape ? shape->position() : core::SourcePosition{file->file, 0, 0}, "opening-approximated",
         fmt::format("{} states an opening that has no model here ({}); it is taken as {}; give \"shape\" for another",
-                    file->file, file->opening.note,
-                    opening.shape == Shape::point ? "a point"
-                    : opening.shape == Shape::box ? "the box around it"
-                                                  : "the rectangle around it"));
+                    file->file, file->opening.note, "a point"));
   }
   return opening;
 }
@@ -74,13 +73,28 @@ emitter::Opening automatic(const core::Value* shape, const photometry::Photometr
 
 emitter::Opening openingOf(const photometry::StatedOpening& stated) {
   using Stated = photometry::StatedOpening::Shape;
+  using Axis = photometry::StatedOpening::Axis;
+  using Along = emitter::Opening::Along;
+  const double c0 = stated.lengthAlongC90 ? stated.width : stated.length,
+               c90 = stated.lengthAlongC90 ? stated.length : stated.width, aim = stated.height;
   emitter::Opening opening;
-  opening.length = stated.lengthAlongC90 ? stated.width : stated.length;
-  opening.width = stated.lengthAlongC90 ? stated.length : stated.width;
-  opening.height = stated.height;
-  opening.diameter = stated.length;
+  if (stated.axis != Axis::aim)
+    opening.along = (stated.axis == Axis::lengthwise) != stated.lengthAlongC90 ? Along::c0 : Along::c90;
+  if (stated.shape == Stated::line) opening.along = aim > 0 ? Along::aim : c0 > 0 ? Along::c0 : Along::c90;
+  // Extents along the opening's own axes (x, y, z).
+  const core::Vec3 extent = opening.along == Along::c0    ? core::Vec3(c90, aim, c0)
+                            : opening.along == Along::c90 ? core::Vec3(aim, c0, c90)
+                                                          : core::Vec3(c0, c90, aim);
+  opening.length = extent.x;
+  opening.width = extent.y;
+  opening.height = extent.z;
   switch (stated.shape) {
     case Stated::point:
+    case Stated::other:
+      return {};
+    case Stated::line:
+      opening.shape = Shape::line;
+      opening.length = extent.z;
       break;
     case Stated::rectangle:
       opening.shape = Shape::rectangle;
@@ -97,18 +111,16 @@ emitter::Opening openingOf(const photometry::StatedOpening& stated) {
     case Stated::sphere:
       opening.shape = Shape::sphere;
       break;
-    case Stated::other:
-      if (opening.length > 0 && opening.width > 0) {
-        opening.shape = opening.height > 0 ? Shape::box : Shape::rectangle;
-      }
-      break;
   }
+  const bool curved =
+      opening.shape == Shape::disc || opening.shape == Shape::cylinder || opening.shape == Shape::sphere;
+  if (curved && emitter::isRound(opening)) opening.diameter = extent.x;
   return opening;
 }
 
 std::optional<emitter::Opening> readOpening(const core::Value* shape, const photometry::PhotometricFile* file,
-                                            Reading& reading) {
-  if (!shape || (shape->isString() && shape->string() == "auto")) return automatic(shape, file, reading);
+                                            const photometry::LuminaireFrame& frame, Reading& reading) {
+  if (!shape || (shape->isString() && shape->string() == "auto")) return automatic(shape, file, frame, reading);
   if (shape->isString() && shape->string() == "point") return emitter::Opening{};
   if (shape->isObject()) return readStated(*shape, reading);
   reading.error(*shape, "opening-form",

@@ -15,9 +15,9 @@ namespace goniolux::project {
 emitter::Opening openingOf(const photometry::StatedOpening& stated);
 
 /// `shape`: the value of the key, or nullptr for "auto"; `file`: the luminaire's photometric file, or nullptr for
-/// built-in photometry, which is a point unless a shape is given.
+/// built-in photometry, which is a point unless a shape is given; `frame`: the luminaire's, for a line along C0 or C90.
 std::optional<emitter::Opening> readOpening(const core::Value* shape, const photometry::PhotometricFile* file,
-                                            Reading& reading);
+                                            const photometry::LuminaireFrame& frame, Reading& reading);
 
 /// True when light can leave its surface: everything but a point and a line.
 bool hasSurface(const emitter::Opening& opening);

@@ -150,7 +150,8 @@ class Builder {
     Vec3 center = luminaire.center - world_.origin;
     const Opening& opening = luminaire.opening;
     const bool flat = opening.shape == Opening::Shape::rectangle || opening.shape == Opening::Shape::disc;
-    if (flat && liesOnSurface(center, luminaire.frame.aim)) center += luminaire.frame.aim * (4e-6 * world_.radius);
+    if (const Vec3 normal = emitter::axesOf(opening, luminaire.frame).z; flat && liesOnSurface(center, normal))
+      center += (opening.along == Opening::Along::aim ? normal : luminaire.frame.aim) * (4e-6 * world_.radius);
 
     const double factor = luminaire.maintenance * luminaire.dimming;
     emitter::Output output;
@@ -201,20 +202,23 @@ class Builder {
       addTriangle(middle - u - v, middle + u + v, middle - u + v, surface);
     };
     using Kind = geometry::QuadricPatch::Kind;
-    const double radius = 0.5 * opening.diameter;
+    const emitter::OpeningAxes axes = emitter::axesOf(opening, frame);
+    const Vec3 radii = 0.5 * emitter::diametersOf(opening);
+    // The axes are left-handed as the luminaire frame is; placements with x and y exchanged are right-handed.
+    const Vec3 rx = axes.x * radii.x, ry = axes.y * radii.y;
     // Windings and patch axes are chosen so that the geometric normal is the side of the aim, or outward.
     switch (opening.shape) {
       case Opening::Shape::rectangle: {
-        const Vec3 u = frame.c0 * (0.5 * opening.length), v = frame.c90 * (0.5 * opening.width);
-        glm::dot(glm::cross(u, v), frame.aim) > 0 ? quad(center, u, v) : quad(center, v, u);
+        const Vec3 u = axes.x * (0.5 * opening.length), v = axes.y * (0.5 * opening.width);
+        glm::dot(glm::cross(u, v), axes.z) > 0 ? quad(center, u, v) : quad(center, v, u);
         break;
       }
       case Opening::Shape::disc:
-        add(Kind::disc, placed(frame.c90 * radius, frame.c0 * radius, frame.aim * radius, center));
+        add(Kind::disc, placed(ry, rx, axes.z * radii.x, center));
         break;
       case Opening::Shape::box: {
-        const Vec3 half[3] = {frame.c0 * (0.5 * opening.length), frame.c90 * (0.5 * opening.width),
-                              frame.aim * (0.5 * opening.height)};
+        const Vec3 half[3] = {axes.x * (0.5 * opening.length), axes.y * (0.5 * opening.width),
+                              axes.z * (0.5 * opening.height)};
         for (int i = 0; i < 3; ++i)
           for (const double side : {-1.0, 1.0}) {
             const Vec3 u = half[(i + 1) % 3], v = half[(i + 2) % 3], out = half[i] * side;
@@ -223,22 +227,25 @@ class Builder {
         break;
       }
       case Opening::Shape::sphere:
-        add(Kind::sphere, placed(Vec3(radius, 0, 0), Vec3(0, radius, 0), Vec3(0, 0, radius), center));
+        add(Kind::sphere, placed(ry, rx, axes.z * radii.z, center));
         break;
-      case Opening::Shape::cylinder:
+      case Opening::Shape::cylinder: {
+        const Vec3 half = axes.z * (0.5 * opening.height);
+        add(Kind::cylinder, placed(ry, rx, 2.0 * half, center - half));
+        add(Kind::disc, placed(rx, ry, -axes.z * radii.x, center - half));
+        add(Kind::disc, placed(ry, rx, axes.z * radii.x, center + half));
+        break;
+      }
       case Opening::Shape::tube: {
-        const bool caps = opening.shape == Opening::Shape::cylinder;
-        const Vec3 axis = caps ? frame.aim : glm::normalize(opening.axis);
-        const double length = caps ? opening.height : opening.length;
+        const Vec3 axis = glm::normalize(opening.axis);
+        const double length = opening.length, radius = radii.x;
         Vec3 x, y;
         core::perpendiculars(axis, x, y);
         const Vec3 base = center - axis * (0.5 * length), top = center + axis * (0.5 * length);
         add(Kind::cylinder, placed(x * radius, y * radius, axis * length, base));
-        if (!caps) {  // a tube's ends are dark, but light does not pass through them
-          Surface end = world_.surfaces[surface];
-          end.emitter = none;
-          surface = addSurface(end);
-        }
+        Surface end = world_.surfaces[surface];  // a tube's ends are dark, but light does not pass through them
+        end.emitter = none;
+        surface = addSurface(end);
         add(Kind::disc, placed(y * radius, x * radius, -axis * radius, base));
         add(Kind::disc, placed(x * radius, y * radius, axis * radius, top));
         break;

@@ -213,10 +213,10 @@ TEST(Lm63, OpeningsOfEveryEditionBecomeShapes) {
                                          {e02, -0.2, -0.2, 0.3, Shape::cylinder, 0.2, 0.2, 0.3},
                                          {e95, -0.2, 0, -0.2, Shape::sphere, 0.2, 0.2, 0.2},
                                          {e02, -0.2, -0.2, -0.2, Shape::sphere, 0.2, 0.2, 0.2},
-                                         {e02, -0.2, 0, -0.2, Shape::other, 0, 0.2, 0.2},
-                                         {e02, -0.2, -0.4, 0, Shape::other, 0.4, 0.2, 0},
-                                         {e95, 0, 1.2, -0.03, Shape::other, 1.2, 0, 0.03},
-                                         {e02, -0.03, 1.2, -0.03, Shape::other, 1.2, 0.03, 0.03}}) {
+                                         {e02, -0.2, 0, -0.2, Shape::disc, 0, 0.2, 0.2},
+                                         {e02, -0.2, -0.4, 0, Shape::disc, 0.4, 0.2, 0},
+                                         {e95, 0, 1.2, -0.03, Shape::cylinder, 1.2, 0.03, 0.03},
+                                         {e02, -0.03, 1.2, -0.03, Shape::cylinder, 1.2, 0.03, 0.03}}) {
     const StatedOpening opening = lm63Opening(c.edition, c.w, c.l, c.h, 1);
     EXPECT_EQ(opening.shape, c.shape) << c.w << " " << c.l << " " << c.h;
     EXPECT_DOUBLE_EQ(opening.length, c.length);
@@ -225,8 +225,16 @@ TEST(Lm63, OpeningsOfEveryEditionBecomeShapes) {
     EXPECT_EQ(opening.note.empty(), c.shape != Shape::other);
     EXPECT_FALSE(opening.lengthAlongC90);
   }
-  EXPECT_EQ(lm63Opening(e02, -0.03, 1.2, -0.03, 1).note,
-            "horizontal cylinder along the 0-180 plane, length 1.2 m, diameter 0.03 m");
+  using Axis = StatedOpening::Axis;
+  EXPECT_EQ(lm63Opening(e02, -0.03, 1.2, -0.03, 1).axis, Axis::lengthwise);
+  EXPECT_EQ(lm63Opening(e02, 0.6, -0.03, -0.03, 1).axis, Axis::widthwise);
+  EXPECT_EQ(lm63Opening(e02, -0.2, 0, -0.2, 1).axis, Axis::lengthwise);
+  EXPECT_EQ(lm63Opening(e86, -0.2, 0.4, 0.1, 1).shape, Shape::sphere);  // an ellipsoid
+  EXPECT_EQ(lm63Opening(e95, -0.2, 0.4, 0.1, 1).shape, Shape::cylinder);
+  EXPECT_EQ(lm63Opening(e02, 0, 1.2, 0, 1).shape, Shape::line);
+  EXPECT_FALSE(lm63Opening(e02, 0, -0.1, 0.2, 1).note.size() > 0);
+  EXPECT_EQ(lm63Opening(e02, 0, 0, -1, 1).shape, Shape::other);
+  EXPECT_FALSE(lm63Opening(e02, 0, 0, -1, 1).note.empty());
 }
 
 TEST(Lm63, FeetBecomeMetres) {

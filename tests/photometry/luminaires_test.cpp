@@ -16,7 +16,7 @@ std::vector<std::filesystem::path> ownFiles() {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(GONIOLUX_SOURCE_DIR) / "luminaires")) {
     const std::string extension = entry.path().extension().string();
-    if (extension == ".ies" || extension == ".ldt") files.push_back(entry.path());
+    if (extension == ".ies" || extension == ".ldt" || extension == ".xml") files.push_back(entry.path());
   }
   return files;
 }
@@ -58,10 +58,14 @@ TEST(OwnLuminaires, HaveAFluxThatIndependentIntegrationConfirms) {
 TEST(OwnLuminaires, CoverEverySymmetryAndTheCommonOpenings) {
   std::set<std::string> symmetries;
   std::set<StatedOpening::Shape> shapes;
+  std::set<StatedOpening::Axis> axes;
+  std::set<PhotometryType> types;
   for (const auto& path : ownFiles()) {
     const PhotometricFile file = readPhotometricFile(path.string());
     symmetries.insert(file.symmetry + (path.extension() == ".ldt" ? " ldt" : ""));
     shapes.insert(file.opening.shape);
+    axes.insert(file.opening.axis);
+    types.insert(file.distribution->type());
   }
   for (const char* symmetry : {"rotational", "quadrant", "C0-C180", "C90-C270", "none", "lateral", "rotational ldt",
                                "quadrant ldt", "C0-C180 ldt", "C90-C270 ldt", "none ldt"}) {
@@ -70,6 +74,9 @@ TEST(OwnLuminaires, CoverEverySymmetryAndTheCommonOpenings) {
   using Shape = StatedOpening::Shape;
   for (const Shape shape : {Shape::rectangle, Shape::disc, Shape::box, Shape::cylinder, Shape::sphere})
     EXPECT_TRUE(shapes.contains(shape));
+  EXPECT_TRUE(types.contains(PhotometryType::a) && types.contains(PhotometryType::b));
+  EXPECT_TRUE(axes.contains(StatedOpening::Axis::lengthwise));
+  EXPECT_GE(ownFiles().size(), 25u);
 }
 
 TEST(OwnLuminaires, ThePanelIsLambertianAtItsTableAngles) {

@@ -189,8 +189,7 @@ TEST(MalformedFile, OtherFormatsAreNamedOrRefused) {
     return "";
   };
   EXPECT_NE(message("PK\x03\x04 zip", "a.gldf").find("not supported yet: GLDF"), std::string::npos);
-  EXPECT_NE(message("<?xml?>\n<IESTM33-22>", "a.xml").find("a.xml:2:13: error: this is not well-formed XML"),
-            std::string::npos);
+  EXPECT_NE(message("<?xml?>\n<IESTM33-22>", "a.xml").find("error: this is not well-formed XML"), std::string::npos);
   EXPECT_NE(message("hello", "a.txt").find("no photometric file"), std::string::npos);
   EXPECT_NE(message("hello", "a.xml").find("not well-formed"), std::string::npos);
 }

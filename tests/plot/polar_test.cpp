@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "pipeline/luminaire_figures.h"
 #include "support/temporary_folder.h"
 
 namespace goniolux::pipeline {
@@ -49,7 +50,7 @@ TEST(PolarDiagram, IsDrawnAndReadBack) {
   const test::TemporaryFolder folder;
   for (const char* name : {"polar.svg", "polar.png"}) {
     core::Diagnostics warnings;
-    EXPECT_TRUE(drawPolarDiagram(sample({0, 90}), (folder.path() / name).string(), warnings));
+    EXPECT_TRUE(drawLuminaire(sample({0, 90}), "polar", (folder.path() / name).string(), warnings));
     EXPECT_TRUE(warnings.all().empty());
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 5000U);
   }
@@ -62,14 +63,39 @@ TEST(PolarDiagram, IsDrawnAndReadBack) {
   EXPECT_EQ(core::toJson(plot::toJson(plot::polarDiagramFromJson(core::parseJson(text, "f", diagnostics)))), text);
 }
 
+TEST(LuminaireFigures, OfEveryKindAreDrawnAndReadBack) {
+  const test::TemporaryFolder folder;
+  photometry::PhotometricFile file = sample({0, 90});
+  file.opening.shape = photometry::StatedOpening::Shape::rectangle;
+  file.opening.length = file.opening.width = 0.6;
+  for (const char* kind : {"cartesian", "solid", "near-field"}) {
+    SCOPED_TRACE(kind);
+    core::Diagnostics warnings;
+    const std::string picture = (folder.path() / (std::string(kind) + ".svg")).string();
+    EXPECT_TRUE(drawLuminaire(file, kind, picture, warnings));
+    EXPECT_GT(std::filesystem::file_size(picture), 5000U);
+  }
+  const auto roundTrip = [](const core::Value& figure) {
+    core::Diagnostics diagnostics;
+    return core::parseJson(core::toJson(figure), "f", diagnostics);
+  };
+  const core::Value chart = plot::toJson(cartesianDiagramOf(file));
+  EXPECT_EQ(core::toJson(plot::toJson(plot::lineChartFromJson(roundTrip(chart)))), core::toJson(chart));
+  const core::Value solid = plot::toJson(photometricSolidOf(file));
+  EXPECT_EQ(core::toJson(plot::toJson(plot::photometricSolidFromJson(roundTrip(solid)))), core::toJson(solid));
+  core::Diagnostics warnings;
+  EXPECT_THROW(drawLuminaire(file, "round", (folder.path() / "x.svg").string(), warnings), core::InputError);
+  EXPECT_THROW(nearFieldChartOf(sample({0})), core::InputError);  // no opening
+}
+
 TEST(PolarDiagram, SaysWhenItCannotBeDrawnAndRefusesOtherEndings) {
   const test::TemporaryFolder folder;
   setenv("GONIOLUX_PLOT", "/nonexistent", 1);
   core::Diagnostics warnings;
-  EXPECT_FALSE(drawPolarDiagram(sample({0}), (folder.path() / "polar.png").string(), warnings));
+  EXPECT_FALSE(drawLuminaire(sample({0}), "polar", (folder.path() / "polar.png").string(), warnings));
   unsetenv("GONIOLUX_PLOT");
   ASSERT_EQ(warnings.all().size(), 1U);
-  EXPECT_THROW(drawPolarDiagram(sample({0}), (folder.path() / "polar.jpg").string(), warnings), core::InputError);
+  EXPECT_THROW(drawLuminaire(sample({0}), "polar", (folder.path() / "polar.jpg").string(), warnings), core::InputError);
 }
 
 }  // namespace

@@ -11,9 +11,11 @@
 #include <functional>
 
 #include "core/document.h"
+#include "plot/vtk/line_chart_painter.h"
 #include "plot/vtk/offscreen_window.h"
 #include "plot/vtk/plan_map_painter.h"
 #include "plot/vtk/polar_painter.h"
+#include "plot/vtk/solid_painter.h"
 
 namespace goniolux::plot {
 namespace {
@@ -82,15 +84,22 @@ void drawPage(const Page& page, const std::vector<std::string>& files) {
 
 }  // namespace
 
+namespace {
+
+template <typename Painter, typename Figure>
+void drawWith(const Figure& figure, const std::vector<std::string>& files) {
+  const Painter painter(figure);
+  drawPage({painter.width(), painter.height(), figure.title, figure.subtitle, [&](Ink& ink) { painter.paint(ink); }},
+           files);
+}
+
+}  // namespace
+
 void drawFigure(const core::Value& document, const std::vector<std::string>& files) {
-  if (figureKind(document) == "polar-diagram") {
-    const PolarDiagram diagram = polarDiagramFromJson(document);
-    const PolarPainter painter(diagram);
-    drawPage(
-        {painter.width(), painter.height(), diagram.title, diagram.subtitle, [&](Ink& ink) { painter.paint(ink); }},
-        files);
-    return;
-  }
+  const std::string kind = figureKind(document);
+  if (kind == "polar-diagram") return drawWith<PolarPainter>(polarDiagramFromJson(document), files);
+  if (kind == "line-chart") return drawWith<LineChartPainter>(lineChartFromJson(document), files);
+  if (kind == "photometric-solid") return drawWith<SolidPainter>(photometricSolidFromJson(document), files);
   const PlanMap map = planMapFromJson(document);
   const MapLayout layout = layoutOf(map);
   const PlanMapPainter painter(map, layout);

@@ -1,0 +1,82 @@
+#include "plot/line_chart.h"
+
+#include <cmath>
+
+#include "plot/figure_members.h"
+
+namespace goniolux::plot {
+namespace {
+
+using core::Value;
+
+Value axisJson(const ChartAxis& axis) {
+  Value json;
+  json.set("title", axis.title);
+  json.set("logarithmic", axis.logarithmic);
+  return json;
+}
+
+ChartAxis axisFromJson(const Value& json) {
+  return {figureText(json, "title"), figureMember(json, "logarithmic", Value::Kind::boolean).boolean()};
+}
+
+}  // namespace
+
+std::vector<double> decadeTicks(double low, double high) {
+  std::vector<double> ticks;
+  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double tick = power * factor;
+      if (tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9)) ticks.push_back(tick);
+    }
+  return ticks;
+}
+
+Value toJson(const LineChart& chart) {
+  Value json = figureHead("line-chart", chart.title, chart.subtitle, chart.facts, chart.footer);
+  json.set("x", axisJson(chart.x));
+  json.set("y", axisJson(chart.y));
+  json.set("guides", Value::arrayOf(chart.guides));
+  Value::Array curves;
+  for (const ChartCurve& curve : chart.curves) {
+    std::vector<double> xs, ys;
+    for (const core::Vec2& point : curve.points) {
+      xs.push_back(point.x);
+      ys.push_back(point.y);
+    }
+    Value entry;
+    entry.set("name", curve.name);
+    entry.set("x", Value::arrayOf(xs));
+    entry.set("y", Value::arrayOf(ys));
+    curves.push_back(std::move(entry));
+  }
+  json.set("curves", std::move(curves));
+  return json;
+}
+
+LineChart lineChartFromJson(const Value& document) {
+  LineChart chart;
+  chart.title = figureText(document, "title");
+  chart.subtitle = figureText(document, "subtitle");
+  chart.footer = figureText(document, "footer");
+  chart.facts = figureTexts(document, "facts");
+  chart.x = axisFromJson(figureMember(document, "x", Value::Kind::object));
+  chart.y = axisFromJson(figureMember(document, "y", Value::Kind::object));
+  chart.guides = figureNumbers(document, "guides");
+  const Value& curves = figureMember(document, "curves", Value::Kind::array);
+  for (const Value& curve : curves.array()) {
+    const std::vector<double> xs = figureNumbers(curve, "x"), ys = figureNumbers(curve, "y");
+    if (xs.size() != ys.size() || xs.size() < 2) badFigure(curve, "there must be one y per x, two at least");
+    ChartCurve read{figureText(curve, "name"), {}};
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      if ((chart.x.logarithmic && xs[i] <= 0) || (chart.y.logarithmic && ys[i] <= 0))
+        badFigure(curve, "a logarithmic axis needs values above 0");
+      read.points.emplace_back(xs[i], ys[i]);
+    }
+    chart.curves.push_back(std::move(read));
+  }
+  if (chart.curves.empty() || chart.curves.size() > 6) badFigure(curves, "there must be one to six curves");
+  return chart;
+}
+
+}  // namespace goniolux::plot

@@ -1,0 +1,31 @@
+// LineChartPainter: curves over two axes, drawn on a page.
+#pragma once
+
+#include "plot/line_chart.h"
+#include "plot/vtk/ink.h"
+
+namespace goniolux::plot {
+
+class LineChartPainter {
+ public:
+  /// The chart must outlive the painter.
+  explicit LineChartPainter(const LineChart& chart);
+  [[nodiscard]] int width() const { return 1100; }
+  [[nodiscard]] int height() const { return 800; }
+  void paint(Ink& ink) const;
+
+ private:
+  struct Range {
+    double low = 0, high = 1;
+    bool logarithmic = false;
+    [[nodiscard]] double fraction(double value) const;
+    [[nodiscard]] std::vector<double> ticks(int wanted) const;
+  };
+  [[nodiscard]] core::Vec2 at(const core::Vec2& point) const;
+  void paintAxes(Ink& ink) const;
+
+  const LineChart& chart_;
+  Range x_, y_;
+};
+
+}  // namespace goniolux::plot

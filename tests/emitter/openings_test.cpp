@@ -1,0 +1,122 @@
+// Elliptical and upright openings: flux kept, sampling and quadrature of one mind, and the round case as the limit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/random.h"
+#include "emitter/emitter.h"
+#include "emitter/near_field.h"
+
+namespace goniolux::emitter {
+namespace {
+
+using core::Vec3;
+using Shape = Opening::Shape;
+using Along = Opening::Along;
+
+const photometry::LuminaireFrame frame{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+
+Output output(bool uniform) {
+  Output out;
+  out.frame = frame;
+  if (uniform) {
+    out.flux_lm = 1000;
+  } else {
+    out.distribution = std::make_shared<photometry::CosinePowerDistribution>(1.0, 2.0);
+    out.scale = 1000 / out.distribution->flux();
+  }
+  return out;
+}
+
+std::vector<Opening> openings() {
+  std::vector<Opening> list;
+  for (const Along along : {Along::aim, Along::c0, Along::c90}) {
+    list.push_back({.shape = Shape::rectangle, .length = 0.6, .width = 0.3, .along = along});
+    list.push_back({.shape = Shape::disc, .length = 0.6, .width = 0.3, .along = along});
+    list.push_back({.shape = Shape::cylinder, .length = 0.3, .width = 0.2, .height = 0.7, .along = along});
+    list.push_back({.shape = Shape::cylinder, .height = 0.7, .diameter = 0.2, .along = along});
+  }
+  list.push_back({.shape = Shape::sphere, .length = 0.6, .width = 0.3, .height = 0.2});
+  return list;
+}
+
+double sampled(const Emitter& emitter, const Vec3& point, const Vec3& normal) {
+  constexpr std::uint32_t samples = 1u << 15;
+  double sum = 0;
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    core::Sampler random(7, i);
+    const IncidentLight light = emitter.sample(point, random.next2());
+    if (light.normalIlluminance > 0) sum += light.normalIlluminance * std::max(0.0, glm::dot(light.direction, normal));
+  }
+  return sum / samples;
+}
+
+TEST(EveryStatedOpening, KeepsItsFluxAndSamplesAsItIntegrates) {
+  for (const Opening& opening : openings())
+    for (const bool uniform : {true, false}) {
+      SCOPED_TRACE(testing::Message() << "shape " << static_cast<int>(opening.shape) << " along "
+                                      << static_cast<int>(opening.along) << " uniform " << uniform);
+      const auto emitter = makeEmitter(opening, {0.1, 0.2, 0.3}, output(uniform));
+      constexpr int rows = 32, columns = 32;
+      const double radius = 2;
+      double flux = 0;
+      for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+          const double z = 1 - 2 * (i + 0.5) / rows, phi = 2 * core::pi * (j + 0.5) / columns;
+          const Vec3 out(std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z);
+          flux += emitter->illuminance(Vec3(0.1, 0.2, 0.3) + out * radius, -out, 1e-3).value;
+        }
+      flux *= 4 * core::pi * radius * radius / (rows * columns);
+      EXPECT_NEAR(flux, 1000, 6);
+      for (const Vec3& at : {Vec3(0.3, 0.3, -0.6), Vec3(1.2, 0.9, -1.5), Vec3(0.9, 0.1, 0.9)})
+        for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(-0.6, -0.8, 0)}) {
+          const Illuminance e = emitter->illuminance(at, normal, 1e-4);
+          EXPECT_NEAR(sampled(*emitter, at, normal), e.value, 8e-3 * e.value + 0.2) << at.x << " " << at.z;
+        }
+    }
+}
+
+TEST(EllipticalOpenings, OfEqualDiametersAreTheRoundOnes) {
+  // The last bit of inequality selects the elliptical code.
+  const double almost = 0.4 * (1 + 1e-12);
+  for (const bool uniform : {true, false}) {
+    const auto check = [&](const Opening& round, const Opening& elliptic) {
+      const auto a = makeEmitter(round, Vec3(0), output(uniform)), b = makeEmitter(elliptic, Vec3(0), output(uniform));
+      for (const Vec3& at : {Vec3(0.1, 0.3, -0.5), Vec3(1, -0.4, -2)})
+        EXPECT_NEAR(b->illuminance(at, {0, 0, 1}, 1e-5).value / a->illuminance(at, {0, 0, 1}, 1e-5).value, 1, 3e-4);
+    };
+    check({.shape = Shape::disc, .diameter = 0.4}, {.shape = Shape::disc, .length = almost, .width = 0.4});
+    check({.shape = Shape::sphere, .diameter = 0.4},
+          {.shape = Shape::sphere, .length = almost, .width = 0.4, .height = 0.4});
+    check({.shape = Shape::cylinder, .height = 0.3, .diameter = 0.4},
+          {.shape = Shape::cylinder, .length = almost, .width = 0.4, .height = 0.3});
+  }
+}
+
+// The five-times rule in figures (validation cases, 2.7): error of one point at q largest dimensions.
+TEST(FiveTimesRule, IsAOnePerCentRuleForADiscAndMoreForBeams) {
+  Output cosine = output(false);
+  cosine.distribution = std::make_shared<photometry::CosinePowerDistribution>(100.0, 1.0);
+  cosine.scale = 1;
+  const Opening disc{.shape = Shape::disc, .diameter = 0.5},
+      square{.shape = Shape::rectangle, .length = 0.5, .width = 0.5};
+  const auto percent = [](const Opening& opening, const Output& out, double q, int n = 1) {
+    return 100 * *cutError(opening, out, q * 0.5, n);
+  };
+  EXPECT_NEAR(percent(disc, cosine, 5), 1.00, 0.01);
+  EXPECT_NEAR(percent(disc, cosine, 1), 25, 0.01);
+  EXPECT_NEAR(percent(square, cosine, 5), 1.33, 0.01);
+  EXPECT_NEAR(percent(square, cosine, 2, 2), 1.84, 0.01);
+  EXPECT_NEAR(percent(square, cosine, 1, 4), 1.21, 0.01);
+  Output beam = cosine;
+  beam.distribution = std::make_shared<photometry::CosinePowerDistribution>(100.0, 10.0);
+  EXPECT_NEAR(percent(disc, beam, 5), 3.27, 0.02);
+  beam.distribution = std::make_shared<photometry::CosinePowerDistribution>(100.0, 100.0);
+  EXPECT_NEAR(percent(disc, beam, 5), 27.9, 0.1);
+  EXPECT_NEAR(*pointModelFrom(disc, cosine, 0.01) / 0.5, 5.01, 0.3);
+  EXPECT_FALSE(pointModelFrom({}, cosine, 0.01));
+}
+
+}  // namespace
+}  // namespace goniolux::emitter

@@ -1,0 +1,120 @@
+#include "fuzz/targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "photometry/eulumdat.h"
+#include "photometry/flux_check.h"
+#include "photometry/lm63.h"
+#include "photometry/metrics.h"
+#include "photometry/photometric_file.h"
+#include "photometry/tm33.h"
+#include "photometry/writers.h"
+#include "spectrum/spectrum_files.h"
+
+namespace goniolux::fuzz {
+namespace {
+
+using photometry::PhotometricFile;
+using photometry::TabulatedDistribution;
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "fuzz target: %s\n", what);
+  std::abort();
+}
+
+// Whatever was read can be used: finite everywhere, and no larger than the bytes that it came from.
+void requireUsable(const PhotometricFile& file, std::size_t bytes) {
+  const TabulatedDistribution& d = *file.distribution;
+  require(std::isfinite(d.flux()) && d.flux() >= 0, "the flux is no number or below 0");
+  require(d.forwardFlux() <= d.flux() * (1 + 1e-9), "more light goes down than leaves");
+  require(d.horizontalAngles().size() * d.verticalAngles().size() <= bytes, "the table is larger than its file");
+  for (const core::Vec3& direction : {core::Vec3(0, 0, 1), core::Vec3(0, 0, -1), core::Vec3(1, 0, 0),
+                                      core::Vec3(-0.48, 0.6, 0.64), core::Vec3(0, -0.8, -0.6)}) {
+    const double intensity = d.intensity(direction);
+    require(std::isfinite(intensity) && intensity >= 0 && intensity <= d.maximumIntensity() * (1 + 1e-12),
+            "an intensity outside the table's range");
+  }
+  require(photometry::intensityPeak(d).intensity_cd == d.maximumIntensity(), "the peak is not the largest value");
+  (void)photometry::fullWidth(d, photometry::PrincipalPlane::c0_180, 0.5);
+  require(std::isfinite(photometry::zonalConstantFlux(d)), "the zonal flux is no number");
+}
+
+template <typename Read>
+Outcome readOrRefuse(const Read& read) {
+  try {
+    read();
+    return Outcome::read;
+  } catch (const core::InputError& error) {
+    require(!error.diagnostics().all().empty(), "refused without a reason");
+    require(!error.diagnostics().all().back().message.empty(), "refused with an empty reason");
+    return Outcome::refused;
+  }
+}
+
+template <photometry::PhotometryReader Reader>
+Outcome photometric(std::string_view bytes) {
+  return readOrRefuse([&] { requireUsable(Reader(bytes, "fuzz"), bytes.size()); });
+}
+
+Outcome anyFormat(std::string_view bytes) {
+  return readOrRefuse([&] { requireUsable(photometry::readPhotometry(bytes, "fuzz"), bytes.size()); });
+}
+
+// What is read is written and read back; LM-63 keeps every candela.
+Outcome writers(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const PhotometricFile file = photometry::readPhotometry(bytes, "fuzz");
+    for (const char* name : {"fuzz.ies", "fuzz.xml", "fuzz.ldt"}) {
+      core::Diagnostics warnings;
+      if (std::string_view(name).ends_with(".ldt") && file.distribution->type() != photometry::PhotometryType::c)
+        continue;
+      const PhotometricFile back = photometry::readPhotometry(photometry::writePhotometry(file, name, warnings), name);
+      require(back.distribution->maximumIntensity() == file.distribution->maximumIntensity() ||
+                  std::string_view(name).ends_with(".ldt"),
+              "a candela changed on its way through a file");
+    }
+  });
+}
+
+Outcome twoColumns(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const auto s = spectrum::readSpectrum(std::string(bytes), "fuzz.spd", spectrum::Role::source);
+    require(std::isfinite(s.integral()), "the integral is no number");
+  });
+}
+
+Outcome tm27(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const auto s = spectrum::readSpectrum(std::string(bytes), "fuzz.spdx", spectrum::Role::source);
+    require(std::isfinite(s.integral()), "the integral is no number");
+  });
+}
+
+}  // namespace
+
+const std::vector<Target>& targets() {
+  static const std::vector<Target> list{
+      {"lm63", {".ies"}, photometric<photometry::readLm63>},
+      {"eulumdat", {".ldt"}, photometric<photometry::readEulumdat>},
+      {"tm33", {".xml"}, photometric<photometry::readTm33>},
+      {"photometry", {".ies", ".ldt", ".xml"}, anyFormat},
+      {"writers", {".ies", ".ldt", ".xml"}, writers},
+      {"spectrum", {".spd", ".csv"}, twoColumns},
+      {"tm27", {".spdx"}, tm27},
+  };
+  return list;
+}
+
+const Target& targetNamed(std::string_view name) {
+  const auto found =
+      std::find_if(targets().begin(), targets().end(), [&](const Target& target) { return target.name == name; });
+  require(found != targets().end(), "there is no such target");
+  return *found;
+}
+
+}  // namespace goniolux::fuzz
