@@ -1,6 +1,8 @@
 // Opening: the luminous opening of a luminaire as geometry, in the luminaire frame (C0, C90, aim). Lengths in metres.
 #pragma once
 
+#include <vector>
+
 #include "core/vector.h"
 #include "photometry/intensity_distribution.h"
 
@@ -9,16 +11,22 @@ namespace goniolux::emitter {
 /// The centre of the opening (of a volume: its centre) is the luminaire's position. Shapes stand in axes (x, y, z) that
 /// are (C0, C90, aim) unless `along` names another z:
 /// rectangle: length along x, width along y, perpendicular to z; disc: perpendicular to z; box: height along z;
-/// cylinder: axis along z, caps included; sphere; tube: side only, along `axis`; line: along `axis`, no geometry. A
+/// cylinder: axis along z, caps included; revolution: `profile` turned about the aim, emitting outside (its zero is the
+/// position); sphere; tube: side only, along `axis`; line: along `axis`, no geometry. A
 /// disc, cylinder or sphere with diameter 0 is elliptical: length, width and (sphere) height are its diameters.
 struct Opening {
-  enum class Shape { point, rectangle, disc, box, cylinder, sphere, tube, line };
+  enum class Shape { point, rectangle, disc, box, cylinder, sphere, tube, line, revolution };
   enum class Along { aim, c0, c90 };
   Shape shape = Shape::point;
   double length = 0, width = 0, height = 0, diameter = 0;
   core::Vec3 axis{1, 0, 0};  ///< tube and line: unit, WORLD direction (as in the project file)
   Along along = Along::aim;
+  std::vector<core::Vec2> profile = {};  ///< revolution: (radius, place along the aim), convex, outside on its right
 };
+
+/// The profile of a surface of revolution in the direction that has the outside on its right, r to the right and z up;
+/// empty where the surface is not convex, so that parts of it would hide others.
+std::vector<core::Vec2> convexProfile(std::vector<core::Vec2> profile);
 
 /// The axes of an opening in the world; unit.
 struct OpeningAxes {

@@ -130,6 +130,8 @@ std::unique_ptr<Emitter> makeEmitter(const Opening& opening, const Vec3& center,
                               : makeEllipticCylinderEmitter(opening, center, output);
     case Opening::Shape::tube:
       return makeCylinderEmitter(opening, center, output);
+    case Opening::Shape::revolution:
+      return makeRevolutionEmitter(opening, center, output);
     case Opening::Shape::line:
       return makeLineEmitter(opening, center, output);
   }

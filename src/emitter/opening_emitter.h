@@ -65,6 +65,8 @@ std::unique_ptr<Emitter> makeCylinderEmitter(const Opening& opening, const core:
 std::unique_ptr<Emitter> makeEllipsoidEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
 std::unique_ptr<Emitter> makeEllipticCylinderEmitter(const Opening& opening, const core::Vec3& center,
                                                      const Output& output);
+std::unique_ptr<Emitter> makeRevolutionEmitter(const Opening& opening, const core::Vec3& position,
+                                               const Output& output);
 std::unique_ptr<Emitter> makeLineEmitter(const Opening& opening, const core::Vec3& center, const Output& output);
 
 }  // namespace goniolux::emitter

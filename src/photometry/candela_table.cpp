@@ -69,6 +69,14 @@ void closeLateralGap(CandelaTable& t, core::Diagnostics& warnings) {
   t.candelas.insert(t.candelas.begin(), plane.begin(), plane.end());
 }
 
+// Flux of type C between the table's end at vertical angle `v` (an index) and gamma `to`, if its last values went on.
+double missingFlux(const CandelaTable& t, std::size_t v, double to) {
+  double mean = 0;
+  for (std::size_t h = 0; h < t.horizontal.size(); ++h) mean += t.candelas[h * t.vertical.size() + v];
+  mean *= t.factor / static_cast<double>(t.horizontal.size());
+  return mean * 2 * core::pi * std::abs(std::cos(t.vertical[v] * core::degree) - std::cos(to * core::degree));
+}
+
 void warnOfVerticalRange(const CandelaTable& t, core::Diagnostics& warnings) {
   const double first = t.vertical.front(), last = t.vertical.back();
   if (t.type == PhotometryType::c) {
@@ -76,8 +84,11 @@ void warnOfVerticalRange(const CandelaTable& t, core::Diagnostics& warnings) {
     if (!usual) {
       warnings.warning(
           t.verticalAt, "vertical-range",
-          fmt::format("the vertical angles run from {} to {}, not to 90 or 180 degrees; 0 cd is taken outside", first,
-                      last));
+          fmt::format(
+              "the vertical angles run from {} to {}, not to 90 or 180 degrees; 0 cd is taken outside: held on, "
+              "the values at the ends would add {:.4g} lm",
+              first, last,
+              missingFlux(t, 0, first < 90 ? 0 : 90) + missingFlux(t, t.vertical.size() - 1, last <= 90 ? 90 : 180)));
     }
   } else if (first >= 0) {
     warnings.warning(

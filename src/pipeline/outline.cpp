@@ -53,6 +53,12 @@ LuminaireOutline luminaireOutline(const scene::Luminaire& luminaire) {
     case Shape::sphere:
       addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
       break;
+    case Shape::revolution: {
+      double radius = 0;
+      for (const core::Vec2& point : opening.profile) radius = std::max(radius, point.x);
+      addCircle(outline.footprint, center, luminaire.frame.c0, luminaire.frame.c90, radius);
+      break;
+    }
     case Shape::line:
       outline.footprint = {center - opening.axis * (opening.length / 2), center + opening.axis * (opening.length / 2)};
       break;

@@ -11,6 +11,7 @@ const std::vector<Stage>& stages() {
       checkStage(),
       planStage(),
       illuminateStage(),
+      scenesStage(),
 
       // from light to pictures
       renderStage(),

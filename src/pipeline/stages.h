@@ -10,6 +10,7 @@ Stage runStage();
 Stage checkStage();
 Stage planStage();
 Stage illuminateStage();
+Stage scenesStage();
 Stage renderStage();
 Stage displayStage();
 Stage plotStage();

@@ -224,8 +224,11 @@ const std::vector<OpeningForm>& openingForms() {
        {"a tube", {openingLength("length", "along axis"), openingLength("diameter", "of the tube"), openingAxis()}}},
       {"line", {"a line", {openingLength("length", "along axis"), openingAxis()}}},
       {"revolution",
-       {"a revolution", {{.name = "profile", .form = Form::profile, .help = "turned about aim", .required = true}}},
-       true},
+       {"a revolution",
+        {{.name = "profile",
+          .form = Form::profile,
+          .help = "[r, z] points, turned about aim, z along it from position; convex, emits outside",
+          .required = true}}}},
   };
   return forms;
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/closest_name.h"
+#include "geometry/revolution.h"
 #include "project/section_reader.h"
 
 namespace goniolux::project {
@@ -20,7 +22,27 @@ Shape shapeNamed(const std::string& name) {
   if (name == "sphere") return Shape::sphere;
   if (name == "tube") return Shape::tube;
   if (name == "line") return Shape::line;
+  if (name == "revolution") return Shape::revolution;
   return Shape::point;
+}
+
+bool readProfile(SectionReader& section, const Section& table, emitter::Opening& opening, Reading& reading) {
+  const auto pairs = readPairs(*section.find("profile"), *table.find("profile"), reading);
+  if (!pairs) return false;
+  for (const core::Vec2& pair : *pairs) opening.profile.push_back(pair * reading.metresPerUnit);
+  try {
+    (void)geometry::makeRevolution(opening.profile, {0, 0, 0}, {0, 0, 1});
+  } catch (const std::invalid_argument& fault) {
+    section.refuse("profile", "bad-profile", fault.what());
+    return false;
+  }
+  opening.profile = emitter::convexProfile(opening.profile);
+  if (!opening.profile.empty()) return true;
+  section.refuse(
+      "profile", "bad-profile",
+      "the profile is hollow somewhere, so that parts of the luminous surface would hide others; give one that "
+      "bulges outward everywhere");
+  return false;
 }
 
 std::optional<emitter::Opening> readStated(const core::Value& shape, Reading& reading) {
@@ -51,6 +73,7 @@ std::optional<emitter::Opening> readStated(const core::Value& shape, Reading& re
   opening.width = length("width");
   opening.height = length("height");
   opening.diameter = length("diameter");
+  if (opening.shape == Shape::revolution && !readProfile(section, form->section, opening, reading)) return std::nullopt;
   if (form->section.find("axis")) opening.axis = section.direction("axis").value_or(core::Vec3(1, 0, 0));
   return section.failed() ? std::nullopt : std::optional(opening);
 }

@@ -7,6 +7,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/quadric_intersect.h"
+#include "geometry/revolution.h"
 
 namespace goniolux::scene {
 namespace {
@@ -250,6 +251,10 @@ class Builder {
         add(Kind::disc, placed(x * radius, y * radius, axis * radius, top));
         break;
       }
+      case Opening::Shape::revolution:
+        for (const geometry::QuadricPatch& patch : geometry::makeRevolution(opening.profile, center, frame.aim).patches)
+          addPatch(patch, Mat4(1.0), surface);
+        break;
       case Opening::Shape::point:
       case Opening::Shape::line:
         break;

@@ -38,6 +38,10 @@ std::vector<Opening> openings() {
     list.push_back({.shape = Shape::cylinder, .height = 0.7, .diameter = 0.2, .along = along});
   }
   list.push_back({.shape = Shape::sphere, .length = 0.6, .width = 0.3, .height = 0.2});
+  // A drop, closed at both ends, and an open shade.
+  list.push_back(
+      {.shape = Shape::revolution, .profile = convexProfile({{0, -0.2}, {0.15, -0.1}, {0.2, 0.05}, {0, 0.3}})});
+  list.push_back({.shape = Shape::revolution, .profile = convexProfile({{0.1, -0.2}, {0.25, 0.1}})});
   return list;
 }
 
@@ -92,6 +96,34 @@ TEST(EllipticalOpenings, OfEqualDiametersAreTheRoundOnes) {
     check({.shape = Shape::cylinder, .height = 0.3, .diameter = 0.4},
           {.shape = Shape::cylinder, .length = almost, .width = 0.4, .height = 0.3});
   }
+}
+
+TEST(SurfaceOfRevolution, OfACirclesProfileIsTheSphere) {
+  std::vector<core::Vec2> circle;
+  constexpr int segments = 180;
+  for (int i = 0; i <= segments; ++i) {
+    const double angle = core::pi * i / segments;
+    circle.emplace_back(i == 0 || i == segments ? 0 : 0.2 * std::sin(angle), -0.2 * std::cos(angle));
+  }
+  const Opening turned{.shape = Shape::revolution, .profile = convexProfile(circle)};
+  ASSERT_FALSE(turned.profile.empty());
+  const Opening sphere{.shape = Shape::sphere, .diameter = 0.4};
+  for (const bool uniform : {true, false}) {
+    const auto a = makeEmitter(sphere, {0, 0, 1}, output(uniform)), b = makeEmitter(turned, {0, 0, 1}, output(uniform));
+    for (const Vec3& at : {Vec3(0.1, 0.3, 0.5), Vec3(1, -0.4, -2), Vec3(0.5, 0.1, 1.05)})
+      for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(-0.6, -0.8, 0)}) {
+        const double exact = a->illuminance(at, normal, 1e-5).value;
+        EXPECT_NEAR(b->illuminance(at, normal, 1e-5).value, exact, 1e-3 * exact + 1e-3) << at.x << " " << uniform;
+      }
+  }
+}
+
+TEST(SurfaceOfRevolution, MustBeConvex) {
+  EXPECT_TRUE(convexProfile({{1, 0}, {0.2, 0.5}, {1, 1}}).empty());         // waisted
+  EXPECT_TRUE(convexProfile({{0.1, 0}, {0.3, -0.1}, {0.3, 0.2}}).empty());  // a rim turned down
+  const auto up = convexProfile({{0.3, 0}, {0.2, 0.4}}), down = convexProfile({{0.2, 0.4}, {0.3, 0}});
+  ASSERT_EQ(up.size(), 2u);
+  EXPECT_EQ(up, down);  // the outside is on the right of the way that is kept
 }
 
 // The five-times rule in figures (validation cases, 2.7): error of one point at q largest dimensions.

@@ -205,8 +205,8 @@ TEST_F(BadInput, WhatTheFormatKnowsButThisVersionDoesNotIsSaidSo) {
   expectError(with("\"settings\": { \"reflection_model\": \"hall\" }"), "\"hall\"", "not supported yet");
   expectError(with("\"settings\": { \"ambient\": 3 }"), "3 }", "not supported yet");
   expectError(
-      changed("\"flux\": 1000", "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[0,0],[1,1]] } }"),
-      "\"revolution\"", "not supported yet: a luminaire's shape \"revolution\"");
+      changed("\"flux\": 1000", "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[1,0],[0.2,0.5],[1,1]] } }"),
+      "[[1,0]", "the profile is hollow somewhere");
 }
 
 TEST_F(BadInput, AllErrorsOfAFileAreListedTogether) {

@@ -115,7 +115,7 @@ Fixture louvre() {
   f.spectrum = "CIE FL11";
   f.opening = openingOf(Opening::Shape::rectangle, 1.2, 0.3, 0);
   f.planes = steps(0, 90, 15);
-  f.gammas = steps(0, 90, 2.5);
+  f.gammas = steps(0, 90, 5);
   f.parts = {{trough({{-0.15, 0}, {-0.15, 0.1}, {0.15, 0.1}, {0.15, 0}}, 1.2, false, true), Finish::diffuse, 0.85}};
   std::vector<Vec3> blades;
   const auto plate = [&](const Vec3& a, const Vec3& b) {
@@ -253,24 +253,25 @@ Fixture spotWithDoors() {
   f.title = "Track spot with four barn doors, unequal";
   f.use = "galleries: a beam cut to a picture";
   f.how =
-      "COB of 12 mm at the focus (8 mm) of a parabola 90 mm wide, reflectance 0.88; black doors of 60 mm at 8, 25, 12 "
-      "and 20 "
+      "COB of 22 mm at the focus (12 mm) of a parabola 90 mm wide, reflectance 0.88; black doors of 60 mm at 2, 25, 8 "
+      "and 15 "
       "degrees from the axis (C0, C90, C180, C270)";
   f.lampFlux = 1800;
   f.watts = 17;
   f.spectrum = ledWarm;
   f.opening = openingOf(Opening::Shape::disc, 0.09, 0.09, 0);
   f.planes = steps(0, 345, 15);
-  f.gammas = steps(0, 90, 2.5);
-  f.parts = parabolicReflector(0.045, 0.008);
-  const double angles[] = {8, 25, 12, 20};
+  f.gammas = steps(0, 24, 1.5);
+  for (const double gamma : steps(27.5, 90, 2.5)) f.gammas.push_back(gamma);
+  f.parts = parabolicReflector(0.045, 0.012);
+  const double angles[] = {2, 25, 8, 15};
   for (int side = 0; side < 4; ++side) {
     const double c = 0.5 * core::pi * side, lean = angles[side] * core::degree;
     const Vec3 out(std::cos(c), std::sin(c), 0), across(-std::sin(c), std::cos(c), 0);
     const Vec3 door = (out * std::sin(lean) + Vec3(0, 0, -std::cos(lean))) * 0.03;
     f.parts.push_back({rectangle(out * 0.047 + door, door, across * 0.045), Finish::black});
   }
-  f.lamps = {{.kind = Lamp::Kind::disc, .center = {0, 0, 0.0552}, .diameter = 0.012}};
+  f.lamps = {{.kind = Lamp::Kind::disc, .center = {0, 0, 0.0301}, .diameter = 0.022}};
   return f;
 }
 
