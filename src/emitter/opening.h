@@ -24,8 +24,9 @@ struct Opening {
   std::vector<core::Vec2> profile = {};  ///< revolution: (radius, place along the aim), convex, outside on its right
 };
 
-/// The profile of a surface of revolution in the direction that has the outside on its right, r to the right and z up;
-/// empty where the surface is not convex, so that parts of it would hide others.
+/// The profile of a closed surface of revolution (it begins and ends on the axis) in the direction that has the outside
+/// on its right, r to the right and z up; empty where it is not closed, so that some directions would see nothing of
+/// it, or not convex, so that parts of it would hide others.
 std::vector<core::Vec2> convexProfile(std::vector<core::Vec2> profile);
 
 /// The axes of an opening in the world; unit.

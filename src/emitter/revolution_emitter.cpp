@@ -141,22 +141,20 @@ class RevolutionEmitter final : public OpeningEmitter {
   std::array<double, 1025> projected_{};  // by the cosine from the aim, -1 to 1
 };
 
-// Left turns only, the corners on the axis included.
+// From axis to axis upwards, with left turns only.
 bool turnsLeft(const std::vector<Vec2>& profile) {
-  std::vector<Vec2> outline = profile;
-  if (outline.front().x > 0) outline.insert(outline.begin(), Vec2(0, outline.front().y));
-  if (outline.back().x > 0) outline.emplace_back(0, outline.back().y);
-  for (std::size_t i = 0; i + 2 < outline.size(); ++i) {
-    const Vec2 a = outline[i + 1] - outline[i], b = outline[i + 2] - outline[i + 1];
+  if (profile.front().x != 0 || profile.back().x != 0) return false;
+  for (std::size_t i = 0; i + 2 < profile.size(); ++i) {
+    const Vec2 a = profile[i + 1] - profile[i], b = profile[i + 2] - profile[i + 1];
     if (a.x * b.y - a.y * b.x < -1e-12 * glm::length(a) * glm::length(b)) return false;
   }
-  return outline.front().y < outline.back().y;
+  return profile.front().y < profile.back().y;
 }
 
 }  // namespace
 
 std::vector<Vec2> convexProfile(std::vector<Vec2> profile) {
-  if (profile.size() < 2) return {};
+  if (profile.size() < 3) return {};
   if (turnsLeft(profile)) return profile;
   std::reverse(profile.begin(), profile.end());
   if (turnsLeft(profile)) return profile;

@@ -38,10 +38,9 @@ bool readProfile(SectionReader& section, const Section& table, emitter::Opening&
   }
   opening.profile = emitter::convexProfile(opening.profile);
   if (!opening.profile.empty()) return true;
-  section.refuse(
-      "profile", "bad-profile",
-      "the profile is hollow somewhere, so that parts of the luminous surface would hide others; give one that "
-      "bulges outward everywhere");
+  section.refuse("profile", "bad-profile",
+                 "the profile must begin and end on the axis and bulge outward everywhere: no direction may miss the "
+                 "luminous surface, and no part of it may hide another");
   return false;
 }
 

@@ -13,18 +13,18 @@ namespace {
 
 using core::Value;
 
-// A black plane under two points: E = I cos / d2, without any interreflection.
+// A black room with two points of light: E = I cos / d2, without any interreflection.
 std::string projectText(const std::string& dimming, const std::string& factor) {
   return R"({ "format": "goniolux-project", "version": 1, "name": "two groups", "units": "m",
     "materials": { "black": { "model": "lambert", "diffuse": 0.0 } },
-    "objects": [ { "name": "floor", "shape": "rectangle", "origin": [-9,-9,-0.5], "u": [18,0,0], "v": [0,18,0], "material": "black" } ],
+    "objects": [ { "name": "room", "shape": "box", "min": [-9,-9,0], "max": [9,9,4], "facing": "inward", "material": "black" } ],
     "luminaires": [
-      { "name": "A", "photometry": "isotropic", "flux": 1256.6370614, "position": [0,0,2], "group": "left", "dimming": )" +
+      { "name": "A", "photometry": "isotropic", "flux": 1256.6370614, "position": [0,0,2.5], "group": "left", "dimming": )" +
          dimming + R"( },
-      { "name": "B", "photometry": "isotropic", "flux": 2513.2741229, "position": [1,0,2], "group": "right" } ],
+      { "name": "B", "photometry": "isotropic", "flux": 2513.2741229, "position": [1,0,2.5], "group": "right" } ],
     "scenes": [ { "name": "half", "groups": { "left": )" +
          factor + R"(, "right": 1 } }, { "name": "right only", "groups": { "right": 1 } } ],
-    "grids": [ { "name": "g", "points": [[0,0,0],[1,0,0],[2,0,0]], "normal": [0,0,1], "quantity": "illuminance" } ] })";
+    "grids": [ { "name": "g", "points": [[0,0,0.5],[1,0,0.5],[2,0,0.5]], "normal": [0,0,1], "quantity": "illuminance" } ] })";
 }
 
 double lit(double flux, double dx) {

@@ -206,7 +206,7 @@ TEST_F(BadInput, WhatTheFormatKnowsButThisVersionDoesNotIsSaidSo) {
   expectError(with("\"settings\": { \"ambient\": 3 }"), "3 }", "not supported yet");
   expectError(
       changed("\"flux\": 1000", "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[1,0],[0.2,0.5],[1,1]] } }"),
-      "[[1,0]", "the profile is hollow somewhere");
+      "[[1,0]", "the profile must begin and end on the axis");
 }
 
 TEST_F(BadInput, AllErrorsOfAFileAreListedTogether) {
