@@ -25,7 +25,9 @@ constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
 constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
 constexpr double largestGrowth = 8;              // from then on
 constexpr std::size_t fewPoints = 48;  // too few for one measure of what a light solution misses: done without it
-constexpr double wholeGrowth = 4;      // samples of paths that go to their own end, for the same spread
+constexpr double commonShare = 0.7;
+constexpr double wholeGrowth = 4;   // samples of paths that go to their own end, for the same spread
+constexpr double paceMargin = 0.8;  // of the time left that a round may plan for
 constexpr int mostRounds = 12;
 constexpr std::uint64_t remainderKey = 0x4e3a;
 constexpr double shareAsked = 0.95;
@@ -39,6 +41,11 @@ std::uint32_t netSize(double samples) {
   return static_cast<std::uint32_t>(std::ceil(wanted / step) * step);
 }
 
+/// Wall clock, s.
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 class GridRun {
  public:
   GridRun(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers, std::uint64_t key,
@@ -50,6 +57,7 @@ class GridRun {
         quantile_(core::studentQuantile(replicateCount - 1, accuracy.confidence)),
         plans_(receivers.size()),
         samples_(receivers.size(), pilotSamples),
+        used_(receivers.size(), 0),
         whole_(receivers.size(), receivers.size() < fewPoints && !solver.isUnbiased() ? 1 : 0),
         gathered_(replicateCount, std::vector<double>(receivers.size())),
         replicates_(replicateCount, std::vector<double>(receivers.size())) {
@@ -67,6 +75,7 @@ class GridRun {
   /// Fresh replicates of the points named. False when it was interrupted: then nothing has changed.
   bool round(const std::vector<std::size_t>& points, core::ProgressSink& progress) {
     ++round_;
+    const double start = now();
     Replicates fresh(replicateCount, std::vector<double>(points.size()));
     core::parallelFor(points.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t j = begin; j < end && !progress.cancelled(); ++j) {
@@ -79,6 +88,10 @@ class GridRun {
       }
     });
     if (progress.cancelled()) return false;
+    double taken = 0;
+    for (const std::size_t i : points) taken += samples_[i];
+    perSecond_ = taken / std::max(now() - start, 1e-4);
+    for (const std::size_t i : points) used_[i] = samples_[i];
     for (std::size_t j = 0; j < points.size(); ++j)
       for (std::size_t r = 0; r < replicateCount; ++r) {
         const std::size_t i = points[j];
@@ -86,6 +99,24 @@ class GridRun {
         replicates_[r][i] = fresh[r][j] + (whole_[i] ? 0 : remainder_.factors[r] * plans_[i]->interreflected);
       }
     return true;
+  }
+
+  /// Of the points and samples that are wanted, what the time allows, by the pace of the last round: fewer samples, as
+  /// long as a point gets more than it has. So a time limit is kept, and what is asked last is what is left undone.
+  std::vector<std::size_t> within(const std::vector<std::size_t>& points, double secondsLeft) {
+    double wanted = 0;
+    for (const std::size_t i : points) wanted += samples_[i];
+    const double possible = paceMargin * perSecond_ * secondsLeft;
+    if (wanted <= possible) return points;
+    std::vector<std::size_t> kept;
+    for (const std::size_t i : points) {
+      samples_[i] = std::max(1u, static_cast<std::uint32_t>(samples_[i] * possible / wanted));
+      if (samples_[i] > used_[i] || !everyPointIsKnown_)
+        kept.push_back(i);
+      else
+        samples_[i] = used_[i];
+    }
+    return kept;
   }
 
   /// A first round at some of the points; sets the samples that each point needs, between them by the needier
@@ -125,11 +156,13 @@ class GridRun {
   }
 
   /// Measures what the solver misses; rounds after this add it.
-  void findRemainder(core::ProgressSink& progress) {
-    remainder_ =
-        estimateRemainder(solver_, receivers_, plans_, core::combine(key_, remainderKey),
-                          remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence, progress);
+  void findRemainder(double secondsLeft, core::ProgressSink& progress) {
+    remainder_ = estimateRemainder(solver_, receivers_, plans_, core::combine(key_, remainderKey),
+                                   remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence,
+                                   secondsLeft, progress);
   }
+
+  void everyPointIsKnown() { everyPointIsKnown_ = true; }
 
   GridEstimate estimate() const {
     GridEstimate e;
@@ -178,7 +211,13 @@ class GridRun {
       pooled += need[i] / static_cast<double>(n);
     }
     // Only the points that are not yet good enough are estimated anew, or all of them when it is the mean that is not.
-    const bool all = e.mean.halfWidth() > allowed(e.mean.value, e.mean.value);
+    // More samples do not help against the noise of what all points have in common.
+    const core::ReplicateMean common = core::replicateMean(remainder_.factors);
+    double interreflected = 0;
+    for (const auto& plan : plans_) interreflected += plan->interreflected / static_cast<double>(n);
+    const double room = allowed(e.mean.value, e.mean.value);
+    const bool all =
+        e.mean.halfWidth() > room && quantile_ * common.standardError * interreflected < commonShare * room;
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < n; ++i) {
       if (!all && halfWidth(e, i) <= allowed(e.values[i], e.mean.value)) continue;
@@ -253,9 +292,12 @@ class GridRun {
   double quantile_, margin_, roughMean_ = 0;
   std::vector<std::unique_ptr<solver::ReceiverPlan>> plans_;
   std::vector<std::uint32_t> samples_;
-  std::vector<char> whole_;  // points that are calculated without the light solution
-  Replicates gathered_;      // as the solver estimates them
-  Replicates replicates_;    // the same with what it misses added
+  std::vector<std::uint32_t> used_;  // those of the replicates that are kept
+  bool everyPointIsKnown_ = false;   // the first full round is done
+  double perSecond_ = 1;             // samples of all replicates, in the last round
+  std::vector<char> whole_;          // points that are calculated without the light solution
+  Replicates gathered_;              // as the solver estimates them
+  Replicates replicates_;            // the same with what it misses added
   Remainder remainder_;
   std::uint64_t round_ = 0;
 };
@@ -275,9 +317,8 @@ GridEstimate nothingYet(std::size_t points) {
 GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
                           std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
                           core::ProgressSink& progress, const std::string& task) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const double start = now();
+  const auto seconds = [&] { return now() - start; };
 
   GridRun run(solver, receivers, key, accuracy);
   progress.progress(task, 0, "looking at the light that each point sees");
@@ -287,11 +328,13 @@ GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver
   // The pilot is never the answer: it decides, fresh samples estimate.
   if (run.pilot(progress)) {
     progress.progress(task, 0.1, "what the light solution misses");
-    run.findRemainder(progress);
+    run.findRemainder(limit.secondsLeft - seconds(), progress);
   }
   GridEstimate estimate = nothingYet(receivers.size());
   for (int round = 1; round < mostRounds; ++round) {
-    if (!run.round(points, progress)) break;
+    points = run.within(points, limit.secondsLeft - seconds());
+    if (points.empty() || !run.round(points, progress)) break;
+    run.everyPointIsKnown();
     estimate = run.estimate();
     progress.progress(
         task, std::min(0.95, estimate.shareWithin * 0.9),
@@ -334,6 +377,7 @@ void summarise(const Replicates& replicates, const Systematic& bias, double conf
       high = std::min(high, sign * e.values[i] + together * e.statistical[i]);
       if (sign * e.values[i] < value) value = sign * e.values[i], where = i;
     }
+    if (sign > 0) low = std::max(low, std::min(value, 0.0));  // light is not negative
     core::Estimate result{sign * value, std::max(value - low, high - value), {}};
     for (const auto& [cause, bounds] : bias) result.systematic[cause] = bounds[where];
     return result;

@@ -30,7 +30,7 @@ struct GridAccuracy {
 };
 
 struct EffortLimit {
-  double secondsLeft = 1e30;  ///< wall clock; checked at round ends, so that a finished round is never lost
+  double secondsLeft = 1e30;  ///< wall clock; rounds are cut to fit, by the pace of the round before
 };
 
 /// One quantity per receiver; order as given.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::size_t bands = 8;
 constexpr std::uint32_t pilotPaths = 32;       // per replicate
-constexpr std::uint32_t mostPaths = 1u << 18;  // per replicate
+constexpr std::uint32_t mostPaths = 1u << 15;  // per replicate
+constexpr double timeShare = 0.3;              // of the time left
 constexpr double f95 = 2.09;                   // F distribution, 7 and 120 degrees of freedom, 95 % point
 constexpr std::uint64_t pilotKey = 1, estimateKey = 2, shiftKey = 3;
 
@@ -28,7 +30,7 @@ struct Round {
 
 Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
                             const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
-                            double allowed, double confidence, const core::ProgressSink& progress) {
+                            double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress) {
   Remainder remainder;
   remainder.factors.assign(replicateCount, 0.0);
   if (solver.isUnbiased()) return remainder;
@@ -45,7 +47,7 @@ Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solv
         const std::uint64_t replicateKey = core::combine(core::combine(key, roundKey), r);
         const double shift = core::Sampler(core::combine(replicateKey, shiftKey), 0).next();
         // The points are visited evenly, in an order that has nothing to do with the directions' (golden section).
-        for (std::uint32_t j = 0; j < paths; ++j) {
+        for (std::uint32_t j = 0; j < paths && !progress.cancelled(); ++j) {
           const double place = j * 0.6180339887498949 + shift;
           const auto i =
               std::min(points - 1, static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(points)));
@@ -59,10 +61,15 @@ Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solv
   };
 
   const double quantile = core::studentQuantile(replicateCount - 1, confidence);
+  const auto start = std::chrono::steady_clock::now();
   const Round pilot = round(pilotKey, pilotPaths);
+  const double perPath =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / pilotPaths + 1e-9;
   const core::ReplicateMean first = core::replicateMean(pilot.missed);
   const double ratio = quantile * first.standardError / std::max(allowed, 1e-300);
-  const double wanted = std::clamp(1.2 * ratio * ratio * pilotPaths, 1.0 * pilotPaths, 1.0 * mostPaths);
+  const double most = std::min(1.0 * mostPaths, timeShare * secondsLeft / perPath);
+  const double wanted =
+      std::clamp(1.2 * ratio * ratio * pilotPaths, 1.0 * pilotPaths, std::max(most, 1.0 * pilotPaths));
   const auto paths = static_cast<std::uint32_t>(wanted);
   const Round estimate = round(estimateKey, paths);
   remainder.paths = static_cast<std::uint64_t>(paths) * replicateCount;

@@ -23,9 +23,10 @@ struct Remainder {
 };
 
 /// `plans` of the same receivers. Goes on until the noise of the factor times the mean interreflected light is below
-/// `allowed` lx (half-width at `confidence`), or `mostPaths`. All zero for an unbiased solver.
+/// `allowed` lx (half-width at `confidence`), or until some half a million paths or `secondsLeft` are used up; what
+/// noise is left is in the intervals. All zero for an unbiased solver.
 Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
                             const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
-                            double allowed, double confidence, const core::ProgressSink& progress);
+                            double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress);
 
 }  // namespace goniolux::analysis

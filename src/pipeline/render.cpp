@@ -115,6 +115,7 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
   image::writeExr(done.file, estimate.image);
   done.reached = estimate.reached;
   done.shareWithin = estimate.shareWithin;
+  done.missed = estimate.missed;
   done.samples = estimate.samples;
   done.width = view.width;
   done.height = view.height;
@@ -137,6 +138,7 @@ core::Value toJson(const RenderedView& view, const Engine& engine) {
   json.set("rays", view.rays);
   json.set("samples_per_pixel", static_cast<double>(view.samples) / (view.width * view.height));
   json.set("spectral_samples", static_cast<double>(engine.plan.quadrature.wavelengths.size()));
+  json.set("interreflection", view.missed);
   core::Value::Array leftOut;
   for (const std::string& sentence : leftOutSentences(engine)) leftOut.emplace_back(sentence);
   json.set("left_out", std::move(leftOut));

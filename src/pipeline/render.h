@@ -10,6 +10,7 @@ struct RenderedView {
   std::string name, file;
   bool reached = false;
   double shareWithin = 0, wallTime_s = 0, cpuTime_s = 0;
+  double missed = 0;  ///< viewing::ImageEstimate::missed
   std::uint64_t rays = 0, samples = 0;
   int width = 0, height = 0;
 };

@@ -13,6 +13,10 @@ class GatherSolver final : public PathSolver<W> {
   explicit GatherSolver(const Problem& problem);
 
   [[nodiscard]] bool isUnbiased() const override { return false; }
+  [[nodiscard]] double missedLuminance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
+                                       std::uint32_t sample) const override {
+    return this->radianceBy(Ending::remainder, origin, direction, key, sample)[1];
+  }
   [[nodiscard]] double missed(const Receiver& receiver, std::uint64_t key, std::uint32_t sample) const override;
 
  private:

@@ -177,6 +177,13 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
 
 template <int W>
 Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_t key, std::uint32_t sample) const {
+  return radianceBy(ending(), eye, view, key, sample);
+}
+
+template <int W>
+Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& view, std::uint64_t key,
+                                   std::uint32_t sample) const {
+  const bool whole = ending != Ending::remainder;
   Response sum{};
   std::uint64_t rays = 0;
   core::Sampler random(core::combine(key, lightStream), sample);
@@ -185,7 +192,7 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
   Meeting met;
   // What the eye sees by itself: emitters, directly, in mirrors and through glass, up to the first matt surface.
   for (int mirrors = 0; mirrors < mostReflections && meet(path, met, rays); ++mirrors) {
-    addEmitted(sum, path, met.hit);
+    if (whole) addEmitted(sum, path, met.hit);
     const reflection::Bsdf& bsdf = *met.bsdf;
     const Vertex at = vertexAt(met.hit, path.direction);
     const core::Frame frame = frameAbout(at.normal);
@@ -199,7 +206,7 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
     }
     if (bsdf.largestReflectance() <= 0) break;
     if (hasMedia_ && bsdf.medium() != nullptr && bsdf.medium()->disperses) collapse(path);
-    addDirect(sum, at, met, out, frame, path, true, random, rays);
+    if (whole) addDirect(sum, at, met, out, frame, path, true, random, rays);
     path.share = lightsAreFew_ ? 1 : 1 / static_cast<double>(lights_->lights().size());
     // Several indirect paths from here: the eye's ray and the connections to the lights cost more than one of them.
     for (std::uint32_t branch = 0; branch < branches; ++branch) {
@@ -208,7 +215,7 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
       if (!bsdf.sample(out, own.next2(), met.interface, start, weight.v.data())) continue;
       Path indirect = path;
       indirect.throughput *= 1.0f / branches;
-      if (goOn(indirect, met, at, frame, start, weight, false, own)) follow(sum, indirect, ending(), own, rays);
+      if (goOn(indirect, met, at, frame, start, weight, false, own)) follow(sum, indirect, ending, own, rays);
     }
     break;
   }

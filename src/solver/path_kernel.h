@@ -132,6 +132,8 @@ class PathSolver : public Solver {
   [[nodiscard]] Ending ending() const { return solution_ != nullptr ? Ending::solution : Ending::never; }
   Response directLight(const Plan& plan, const Vertex& at, std::uint64_t key, std::uint32_t samples,
                        std::uint64_t& rays) const;
+  Response radianceBy(Ending ending, const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
+                      std::uint32_t sample) const;
   Response illuminanceBy(Ending ending, const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
                          std::uint32_t samples) const;
   /// Adds what one path from a receiver brings after reflections, lx.

@@ -63,6 +63,12 @@ class Solver {
     return 0;
   }
 
+  /// The same for radiance(), cd/m2.
+  [[nodiscard]] virtual double missedLuminance(const core::Vec3& /*origin*/, const core::Vec3& /*direction*/,
+                                               std::uint64_t /*key*/, std::uint32_t /*sample*/) const {
+    return 0;
+  }
+
   /// What this solver leaves out in this world, as sentences; empty: nothing.
   [[nodiscard]] virtual std::vector<std::string> leftOut() const { return {}; }
   /// Rays traced so far.

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t replicates = 16;
 constexpr double shareAsked = 0.95;
 constexpr int tile = 16;
+constexpr std::uint32_t missedPaths = 512;  // per replicate, each of a few branches
+constexpr std::uint64_t missedKey = 0x3155ed;
 constexpr std::size_t fewestReplicates = 2;  // a picture without any interval is not worth keeping
 
 class PixelLoop {
@@ -87,6 +89,27 @@ class PixelLoop {
     return more;
   }
 
+  /// How far a light solution is off, on average over the picture: paths through random pixels that go on. The bound
+  /// (mean and its half-width) becomes part of every pixel's half-width, in proportion to its luminance.
+  void findMissed(core::ProgressSink& progress) {
+    if (solver_.isUnbiased()) return;
+    std::array<double, replicates> missed{};
+    core::parallelFor(replicates, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end && !progress.cancelled(); ++r) {
+        const std::uint64_t key = core::combine(core::combine(key_, missedKey), r);
+        for (std::uint32_t s = 0; s < missedPaths; ++s) {
+          const core::Vec2 place = core::Sampler(core::combine(key, missedKey), s).next2();
+          const scene::ViewRay ray = scene::rayThrough(view_, place.x * view_.width, place.y * view_.height);
+          if (!ray.inside) continue;
+          missed[r] += solver_.missedLuminance(ray.origin - worldOrigin_, ray.direction, key, s) / missedPaths;
+        }
+      }
+    });
+    const core::ReplicateMean mean = core::replicateMean(missed);
+    const double luminance = meanLuminance();
+    if (luminance > 0) missed_ = (std::abs(mean.mean) + quantile_ * mean.standardError) / luminance;
+  }
+
   [[nodiscard]] double shareWithin() const {
     const double mean = meanLuminance();
     std::size_t within = 0;
@@ -108,6 +131,7 @@ class PixelLoop {
       image.halfWidth[i] = static_cast<float>(halfWidth(i));
       e.samples += static_cast<std::uint64_t>(done_[i]) * complete_;
     }
+    e.missed = missed_;
     e.shareWithin = shareWithin();
     e.reached = e.shareWithin >= shareAsked;
     return e;
@@ -157,7 +181,7 @@ class PixelLoop {
     if (complete_ < 2) return std::numeric_limits<double>::infinity();  // one replicate says nothing about its error
     std::array<double, replicates> means{};
     for (std::size_t r = 0; r < complete_; ++r) means[r] = static_cast<double>(sums_[i][r].y) / done_[i];
-    return quantile() * core::replicateMean(std::span(means).first(complete_)).standardError;
+    return quantile() * core::replicateMean(std::span(means).first(complete_)).standardError + missed_ * value(i);
   }
   [[nodiscard]] double quantile() const {
     return complete_ == replicates ? quantile_
@@ -181,6 +205,7 @@ class PixelLoop {
   std::size_t count_;
   std::vector<std::array<Colour, replicates>> sums_;  // over the samples of each replicate
   std::vector<std::uint32_t> done_, wanted_;          // samples per replicate
+  double missed_ = 0;                                 // relative
   std::size_t complete_ = 0;                          // replicates that every pixel has
 };
 
@@ -197,6 +222,7 @@ ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, 
   progress.progress(view.name, 0, "first samples");
   loop.firstPass([&] { return elapsed() < secondsLeft; }, progress);
   bool more = loop.firstPassIsComplete();
+  if (more) loop.findMissed(progress);
   while (more && elapsed() < secondsLeft) {
     const double share = loop.shareWithin();
     progress.progress(view.name, std::min(0.95, share),

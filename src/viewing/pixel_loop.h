@@ -26,6 +26,7 @@ struct PixelAccuracy {
 struct ImageEstimate {
   image::XyzImage image;  ///< with half-widths
   double shareWithin = 0;
+  double missed = 0;  ///< bound of what a light solution misses, of the mean luminance; in the half-widths
   bool reached = false;
   std::uint64_t samples = 0;
 };
