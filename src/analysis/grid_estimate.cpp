@@ -25,6 +25,7 @@ constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
 constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
 constexpr double largestGrowth = 8;              // from then on
 constexpr std::size_t fewPoints = 48;  // too few for one measure of what a light solution misses: done without it
+constexpr double spreadShare = 0.5;    // of the accuracy asked for, that an uneven remainder may take
 constexpr double commonShare = 0.7;
 constexpr double wholeGrowth = 4;   // samples of paths that go to their own end, for the same spread
 constexpr double paceMargin = 0.8;  // of the time left that a round may plan for
@@ -160,6 +161,12 @@ class GridRun {
     remainder_ = estimateRemainder(solver_, receivers_, plans_, core::combine(key_, remainderKey),
                                    remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence,
                                    secondsLeft, progress);
+    // A solution that is wrong by so different amounts over the grid is no help: paths to their own end instead.
+    double interreflected = 0;
+    for (const auto& plan : plans_) interreflected += plan->interreflected / static_cast<double>(plans_.size());
+    if (remainder_.spread * interreflected <= spreadShare * accuracy_.relative * std::abs(roughMean_)) return;
+    whole_.assign(whole_.size(), 1);
+    for (std::uint32_t& samples : samples_) samples = netSize(wholeGrowth * samples);
   }
 
   void everyPointIsKnown() { everyPointIsKnown_ = true; }
@@ -345,59 +352,6 @@ GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver
   progress.progress(task, 1,
                     fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
   return estimate;
-}
-
-void summarise(const Replicates& replicates, const Systematic& bias, double confidence, GridEstimate& e) {
-  const std::size_t points = e.values.size();
-  const double dof = static_cast<double>(replicates.size()) - 1;
-  const double quantile = core::studentQuantile(dof, confidence);
-  const auto count = static_cast<double>(points);
-
-  std::vector<double> means(replicates.size());
-  for (std::size_t r = 0; r < replicates.size(); ++r)
-    means[r] = std::accumulate(replicates[r].begin(), replicates[r].end(), 0.0) / count;
-  const core::ReplicateMean mean = core::replicateMean(means);
-  e.mean = {mean.mean, quantile * mean.standardError, {}};
-  for (const auto& [cause, bounds] : bias)
-    e.mean.systematic[cause] = std::accumulate(bounds.begin(), bounds.end(), 0.0) / count;
-
-  // The minimum of noisy values is low by itself. Its interval: from the lowest lower end to the lowest upper end of
-  // intervals that hold together for all points that may be the minimum (Sidak). The maximum is the minimum of the
-  // negative.
-  const auto extreme = [&](double sign) {
-    double upper = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < points; ++i) upper = std::min(upper, sign * e.values[i] + e.statistical[i]);
-    std::size_t candidates = 0;
-    for (std::size_t i = 0; i < points; ++i) candidates += sign * e.values[i] - 2 * e.statistical[i] <= upper;
-    const double together = core::studentQuantile(dof, core::sidak(confidence, candidates)) / quantile;
-    double low = std::numeric_limits<double>::infinity(), high = low, value = low;
-    std::size_t where = 0;
-    for (std::size_t i = 0; i < points; ++i) {
-      low = std::min(low, sign * e.values[i] - together * e.statistical[i]);
-      high = std::min(high, sign * e.values[i] + together * e.statistical[i]);
-      if (sign * e.values[i] < value) value = sign * e.values[i], where = i;
-    }
-    if (sign > 0) low = std::max(low, std::min(value, 0.0));  // light is not negative
-    core::Estimate result{sign * value, std::max(value - low, high - value), {}};
-    for (const auto& [cause, bounds] : bias) result.systematic[cause] = bounds[where];
-    return result;
-  };
-  e.minimum = extreme(1);
-  e.maximum = extreme(-1);
-
-  const auto ratio = [](const core::Estimate& a, const core::Estimate& b) {
-    if (b.value == 0) return core::Estimate{};
-    const double value = a.value / b.value;
-    const auto relative = [](double part, double of) { return of != 0 ? part / std::abs(of) : 0.0; };
-    core::Estimate r{
-        value, std::abs(value) * (relative(a.statistical, a.value) + relative(b.statistical, b.value)), {}};
-    for (const auto* part : {&a, &b})
-      for (const auto& [cause, bound] : part->systematic)
-        r.systematic[cause] += std::abs(value) * relative(bound, part->value);
-    return r;
-  };
-  e.u0 = ratio(e.minimum, e.mean);
-  e.ud = ratio(e.minimum, e.maximum);
 }
 
 }  // namespace goniolux::analysis

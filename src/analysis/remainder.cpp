@@ -17,14 +17,33 @@ namespace {
 constexpr std::size_t bands = 8;
 constexpr std::uint32_t pilotPaths = 32;       // per replicate
 constexpr std::uint32_t mostPaths = 1u << 15;  // per replicate
-constexpr double timeShare = 0.3;              // of the time left
-constexpr double f95 = 2.09;                   // F distribution, 7 and 120 degrees of freedom, 95 % point
+constexpr std::uint64_t mostAttempts = 3;
+constexpr double timeShare = 0.3;  // of the time left
+constexpr double f95 = 2.09;       // F distribution, 7 and 120 degrees of freedom, 95 % point
 constexpr std::uint64_t pilotKey = 1, estimateKey = 2, shiftKey = 3;
 
 struct Round {
   std::array<double, replicateCount> missed{};  // mean of a path, lx
   std::array<std::array<double, bands>, replicateCount> byBand{};
 };
+
+/// What the bands differ by beyond their own noise, lx: twice that standard deviation; 0 when it is no more than noise.
+double spreadOf(const Round& estimate, std::size_t usedBands) {
+  if (usedBands < 2) return 0;
+  std::vector<double> bandMeans(usedBands);
+  double within = 0;
+  for (std::size_t b = 0; b < usedBands; ++b) {
+    std::array<double, replicateCount> one{};
+    for (std::size_t r = 0; r < replicateCount; ++r) one[r] = estimate.byBand[r][b];
+    const core::ReplicateMean m = core::replicateMean(one);
+    bandMeans[b] = m.mean;
+    within += m.standardError * m.standardError / static_cast<double>(usedBands);
+  }
+  const double mean = std::accumulate(bandMeans.begin(), bandMeans.end(), 0.0) / static_cast<double>(usedBands);
+  double between = 0;
+  for (const double m : bandMeans) between += (m - mean) * (m - mean) / static_cast<double>(usedBands - 1);
+  return between > f95 * within ? 2 * std::sqrt(between - within) : 0;
+}
 
 }  // namespace
 
@@ -70,27 +89,17 @@ Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solv
   const double most = std::min(1.0 * mostPaths, timeShare * secondsLeft / perPath);
   const double wanted =
       std::clamp(1.2 * ratio * ratio * pilotPaths, 1.0 * pilotPaths, std::max(most, 1.0 * pilotPaths));
-  const auto paths = static_cast<std::uint32_t>(wanted);
-  const Round estimate = round(estimateKey, paths);
-  remainder.paths = static_cast<std::uint64_t>(paths) * replicateCount;
-  for (std::size_t r = 0; r < replicateCount; ++r) remainder.factors[r] = estimate.missed[r] / interreflected;
-
-  // Do the bands differ by more than their own noise?
-  if (usedBands < 2) return remainder;
-  std::vector<double> bandMeans(usedBands);
-  double within = 0;
-  for (std::size_t b = 0; b < usedBands; ++b) {
-    std::array<double, replicateCount> one{};
-    for (std::size_t r = 0; r < replicateCount; ++r) one[r] = estimate.byBand[r][b];
-    const core::ReplicateMean m = core::replicateMean(one);
-    bandMeans[b] = m.mean;
-    within += m.standardError * m.standardError / static_cast<double>(usedBands);
+  auto paths = static_cast<std::uint32_t>(wanted);
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    const Round estimate = round(core::combine(estimateKey, attempt), paths);
+    remainder.paths += static_cast<std::uint64_t>(paths) * replicateCount;
+    for (std::size_t r = 0; r < replicateCount; ++r) remainder.factors[r] = estimate.missed[r] / interreflected;
+    remainder.spread = spreadOf(estimate, usedBands) / interreflected;
+    // A spread that matters may be chance (one time in twenty): looked at again, with fresh and more paths.
+    const bool matters = remainder.spread * interreflected > allowed;
+    if (!matters || attempt + 1 == mostAttempts || 4.0 * paths > most || progress.cancelled()) return remainder;
+    paths *= 4;
   }
-  const double mean = std::accumulate(bandMeans.begin(), bandMeans.end(), 0.0) / static_cast<double>(usedBands);
-  double between = 0;
-  for (const double m : bandMeans) between += (m - mean) * (m - mean) / static_cast<double>(usedBands - 1);
-  if (between > f95 * within) remainder.spread = 2 * std::sqrt(between - within) / interreflected;
-  return remainder;
 }
 
 }  // namespace goniolux::analysis

@@ -34,7 +34,7 @@ Forecast forecast(const project::Project& project, const Engine& engine) {
   const auto& accuracy = project.settings.accuracy;
   for (const analysis::Grid& grid : project.grids) {
     std::vector<solver::Receiver> some;
-    const std::size_t step = std::max<std::size_t>(1, grid.points.size() / 40);
+    const std::size_t step = std::max<std::size_t>(1, grid.points.size() / 64);
     for (std::size_t i = step / 2; i < grid.points.size(); i += step)
       some.push_back({grid.points[i] - engine.world.origin, grid.normals[i]});
     if (some.empty()) continue;

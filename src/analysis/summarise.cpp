@@ -1,0 +1,66 @@
+// Mean, extremes and uniformities of a grid of noisy values.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "analysis/grid_estimate.h"
+#include "core/statistics.h"
+
+namespace goniolux::analysis {
+
+void summarise(const std::vector<std::vector<double>>& replicates, const Systematic& bias, double confidence,
+               GridEstimate& e) {
+  const std::size_t points = e.values.size();
+  const double dof = static_cast<double>(replicates.size()) - 1;
+  const double quantile = core::studentQuantile(dof, confidence);
+  const auto count = static_cast<double>(points);
+
+  std::vector<double> means(replicates.size());
+  for (std::size_t r = 0; r < replicates.size(); ++r)
+    means[r] = std::accumulate(replicates[r].begin(), replicates[r].end(), 0.0) / count;
+  const core::ReplicateMean mean = core::replicateMean(means);
+  e.mean = {mean.mean, quantile * mean.standardError, {}};
+  for (const auto& [cause, bounds] : bias)
+    e.mean.systematic[cause] = std::accumulate(bounds.begin(), bounds.end(), 0.0) / count;
+
+  // The minimum of noisy values is low by itself. Its interval: from the lowest lower end to the lowest upper end of
+  // intervals that hold together for all points that may be the minimum (Sidak). The maximum is the minimum of the
+  // negative.
+  const auto extreme = [&](double sign) {
+    double upper = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points; ++i) upper = std::min(upper, sign * e.values[i] + e.statistical[i]);
+    std::size_t candidates = 0;
+    for (std::size_t i = 0; i < points; ++i) candidates += sign * e.values[i] - 2 * e.statistical[i] <= upper;
+    const double together = core::studentQuantile(dof, core::sidak(confidence, candidates)) / quantile;
+    double low = std::numeric_limits<double>::infinity(), high = low, value = low;
+    std::size_t where = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+      low = std::min(low, sign * e.values[i] - together * e.statistical[i]);
+      high = std::min(high, sign * e.values[i] + together * e.statistical[i]);
+      if (sign * e.values[i] < value) value = sign * e.values[i], where = i;
+    }
+    if (sign > 0) low = std::max(low, std::min(value, 0.0));  // light is not negative
+    core::Estimate result{sign * value, std::max(value - low, high - value), {}};
+    for (const auto& [cause, bounds] : bias) result.systematic[cause] = bounds[where];
+    return result;
+  };
+  e.minimum = extreme(1);
+  e.maximum = extreme(-1);
+
+  const auto ratio = [](const core::Estimate& a, const core::Estimate& b) {
+    if (b.value == 0) return core::Estimate{};
+    const double value = a.value / b.value;
+    const auto relative = [](double part, double of) { return of != 0 ? part / std::abs(of) : 0.0; };
+    core::Estimate r{
+        value, std::abs(value) * (relative(a.statistical, a.value) + relative(b.statistical, b.value)), {}};
+    for (const auto* part : {&a, &b})
+      for (const auto& [cause, bound] : part->systematic)
+        r.systematic[cause] += std::abs(value) * relative(bound, part->value);
+    return r;
+  };
+  e.u0 = ratio(e.minimum, e.mean);
+  e.ud = ratio(e.minimum, e.maximum);
+}
+
+}  // namespace goniolux::analysis
