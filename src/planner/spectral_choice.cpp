@@ -45,12 +45,13 @@ std::vector<LightPath> fittedPaths(const SpectralErrors& errors, const SpectralA
 
 }  // namespace
 
-SpectralChoice adaptedWavelengths(int count, const std::vector<Finish>& finishes,
-                                  const std::vector<spectrum::SpectralDistribution>& sources,
-                                  const SpectralAllowance& allowance) {
+SpectralChoice wavelengthsOf(const spectrum::SpectralScheme& scheme, int count, const std::vector<Finish>& finishes,
+                             const std::vector<spectrum::SpectralDistribution>& sources,
+                             const SpectralAllowance& allowance) {
   const SpectralErrors errors(finishes, sources);
+  const std::vector<LightPath> paths = fittedPaths(errors, allowance);
   SpectralChoice choice;
-  choice.quadrature = spectrum::adaptedQuadrature(count, errors.control(), fittedPaths(errors, allowance));
+  choice.quadrature = scheme.make({count, sources, errors.control(), paths});
   choice.error = errors.of(choice.quadrature);
   return choice;
 }
@@ -60,11 +61,11 @@ SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
                                  const SpectralAllowance& allowance) {
   const bool grey =
       std::all_of(finishes.begin(), finishes.end(), [](const Finish& f) { return f.reflectance.isFlat(); });
-  if (grey || sources.empty()) return {spectrum::flatQuadrature(sources), {}};
+  if ((grey && allowance.leastCount <= 1) || sources.empty()) return {spectrum::flatQuadrature(sources), {}};
   const SpectralErrors errors(finishes, sources);
   const std::vector<LightPath> fitted = fittedPaths(errors, allowance);
   SpectralChoice choice;
-  for (int count = 1; count <= mostAdapted; ++count) {
+  for (int count = std::clamp(allowance.leastCount, 1, mostAdapted); count <= mostAdapted; ++count) {
     choice.quadrature = spectrum::adaptedQuadrature(count, errors.control(), fitted);
     choice.error = errors.of(choice.quadrature);
     if (meets(choice.error, allowance)) return choice;

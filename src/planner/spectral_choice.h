@@ -4,6 +4,7 @@
 #include <string>
 
 #include "planner/spectral_error.h"
+#include "spectrum/schemes.h"
 #include "spectrum/spectral_quadrature.h"
 
 namespace goniolux::planner {
@@ -13,6 +14,7 @@ struct SpectralAllowance {
   double illuminance = 0.002;
   bool pictures = false;  ///< luminance and colour count
   double luminance = 0.005, colour = 1;
+  int leastCount = 1;  ///< nodes that are wanted in any case: where glass disperses each node goes its own way
 };
 
 struct SpectralChoice {
@@ -26,9 +28,10 @@ SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
                                  const std::vector<spectrum::SpectralDistribution>& sources,
                                  const SpectralAllowance& allowance);
 
-/// Adapted nodes, as many as asked for; the allowance tells what to favour.
-SpectralChoice adaptedWavelengths(int count, const std::vector<Finish>& finishes,
-                                  const std::vector<spectrum::SpectralDistribution>& sources,
-                                  const SpectralAllowance& allowance);
+/// A scheme by name (spectrum/schemes.h) with a number of samples that it can have; the allowance tells adapted nodes
+/// what to favour.
+SpectralChoice wavelengthsOf(const spectrum::SpectralScheme& scheme, int count, const std::vector<Finish>& finishes,
+                             const std::vector<spectrum::SpectralDistribution>& sources,
+                             const SpectralAllowance& allowance);
 
 }  // namespace goniolux::planner
