@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/queries.h"
 #include "reflection/models.h"
+#include "reflection/shading.h"
 
 namespace goniolux::planner {
 namespace {
@@ -42,11 +44,23 @@ std::vector<double> areasOf(const scene::World& world) {
 std::vector<SpectralDistribution> factorsOf(const material::Material& material) {
   std::vector<SpectralDistribution> factors;
   const reflection::ReflectionModel* model = reflection::findReflectionModel(material.model);
-  if (model == nullptr) return factors;
-  for (const core::Parameter& parameter : model->parameters) {
+  const reflection::ShadingModel* shading = reflection::findShadingModel(material.model);
+  if (model == nullptr && shading == nullptr) return factors;
+  for (const core::Parameter& parameter : model != nullptr ? model->parameters : shading->parameters) {
     const auto found = material.spectra.find(parameter.key);
     if (parameter.kind == core::ParameterKind::spectrum && parameter.maximum <= 1 && found != material.spectra.end())
       factors.push_back(found->second);
+  }
+  // Coloured glass: what a piece of it lets through that takes half of the light at its clearest wavelength and more
+  // elsewhere.
+  const auto attenuation = material.spectra.find("attenuation_per_m");
+  if (attenuation != material.spectra.end() && !attenuation->second.isFlat()) {
+    const auto [least, most] = attenuation->second.range();
+    const double thickness = std::log(2.0) / std::max(least, 0.1 * most);
+    std::vector<SpectralDistribution::Sample> samples;
+    for (int nm = 360; nm <= 830; nm += 5)
+      samples.push_back({static_cast<double>(nm), std::exp(-thickness * attenuation->second.continuum(nm))});
+    factors.push_back(SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::hold));
   }
   return factors;
 }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "planner/spectral_choice.h"
+#include "reflection/shading.h"
 #include "solver/solver.h"
 
 namespace goniolux::planner {
@@ -12,8 +14,29 @@ namespace {
 
 // Share of the asked accuracy that the choice of wavelengths may use up.
 constexpr double spectralShare = 0.1;
+constexpr std::size_t nodesForDispersion = 16;
+
+// The paper's models are no BSDFs: only intersection trees can be shaded by them.
+bool needsTrees(const project::Project& project) {
+  return project.settings.reflectionModel != "material" ||
+         std::any_of(project.environment.materials.begin(), project.environment.materials.end(),
+                     [](const auto& m) { return reflection::findShadingModel(m.model) != nullptr; });
+}
 
 void chooseSolver(const project::Project& project, Plan& plan) {
+  const auto& settings = project.settings;
+  plan.tree = {settings.treeMaxDepth,    settings.treeCutoff, settings.treeAdaptive,
+               settings.reflectionModel, settings.asPrinted,  settings.ambient};
+  if (needsTrees(project)) {
+    if (settings.solver != "auto" && settings.solver != "tree")
+      throw core::InputError({project.file, 0, 0}, "not-for-this-solver",
+                             fmt::format("phong, whitted and hall are local shading models, no BSDFs: the solver "
+                                         "\"{}\" cannot use them; set \"solver\" to \"tree\" or \"auto\"",
+                                         settings.solver));
+    plan.solver = "tree";
+    plan.reasons.emplace_back("solver tree: the project uses phong, whitted or hall, which do not conserve energy");
+    return;
+  }
   if (project.settings.solver == "auto") {
     plan.solver = "gather";
     plan.reasons.emplace_back(
@@ -29,6 +52,13 @@ void chooseSolver(const project::Project& project, Plan& plan) {
   }
   plan.solver = project.settings.solver;
   plan.reasons.push_back("solver " + plan.solver + ": as the project asks");
+}
+
+bool disperses(const scene::World& world) {
+  return std::any_of(world.materials.begin(), world.materials.end(), [](const auto& material) {
+    const auto index = material.spectra.find("ior");
+    return material.model == "dielectric" && index != material.spectra.end() && !index->second.isFlat();
+  });
 }
 
 SpectralAllowance allowanceFor(const project::Settings& settings, bool forColour) {
@@ -60,6 +90,13 @@ void chooseSpectral(const project::Project& project, const scene::World& world, 
                                        settings.spectralScheme));
   }
   plan.quadrature = std::move(choice.quadrature);
+  if (settings.spectralScheme == "auto" && disperses(world) &&
+      plan.quadrature.wavelengths.size() < nodesForDispersion) {
+    // Light of different wavelengths goes different ways: how many is a matter of the picture, not of the finishes.
+    plan.quadrature = spectrum::uniformQuadrature(static_cast<int>(nodesForDispersion), world.sourceSpectra);
+    choice.error = SpectralErrors(finishes, world.sourceSpectra).of(plan.quadrature);
+    plan.reasons.emplace_back("16 spectral samples: a refractive index depends on the wavelength");
+  }
   plan.spectralBound = choice.error.illuminance;
   plan.colourBound = choice.error.colour;
   const std::size_t nodes = plan.quadrature.wavelengths.size();
