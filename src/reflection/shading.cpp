@@ -41,6 +41,7 @@ class BsdfShading final : public LocalShading {
       values[i] = transmits() ? (1 - values[i]) / static_cast<float>(index * index) : 0.0f;
     }
   }
+  [[nodiscard]] bool isLit() const override { return bsdf_->lobes().spread; }
   [[nodiscard]] bool seesBehind() const override { return bsdf_->lobes().spread && bsdf_->lobes().transmits; }
   [[nodiscard]] bool transmits() const override { return bsdf_->lobes().single && bsdf_->lobes().transmits; }
   [[nodiscard]] bool bends() const override { return !bsdf_->lobes().straight; }

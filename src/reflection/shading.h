@@ -34,6 +34,7 @@ class LocalShading {
   /// What the way of a child ray does to its intensity: by default Bouguer's F^d.
   virtual void attenuate(const Travel& travel, float* values) const;
 
+  [[nodiscard]] virtual bool isLit() const { return true; }        ///< sources matter at all
   [[nodiscard]] virtual bool seesBehind() const { return false; }  ///< sources behind the surface matter
   [[nodiscard]] virtual bool transmits() const { return false; }   ///< has a refracted ray
   [[nodiscard]] virtual bool bends() const { return true; }        ///< the refracted ray obeys Snell's law

@@ -192,6 +192,7 @@ void TreeBuilder::spawn(const Pending& child, double factor, bool lamp, Intersec
 void TreeBuilder::findArrivals(TreeNode& node, const Vec3& point, const Vec3& normal, const core::Frame& frame,
                                core::Sampler& random, IntersectionTree& tree) const {
   node.firstArrival = tree.arrivals.size();
+  if (!shadings_[node.material]->isLit()) return;
   const bool both = shadings_[node.material]->seesBehind();
   for (std::uint32_t i = 0; i < world_.emitters.size(); ++i) {
     const scene::LightSource& source = world_.emitters[i];

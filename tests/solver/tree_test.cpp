@@ -71,6 +71,7 @@ class White final : public reflection::LocalShading {
  public:
   void addSource(const Vec3&, const Vec3&, double, const reflection::Interface&, float*) const override {}
   void ambientFactor(float* values) const override { values[0] = 1; }
+  [[nodiscard]] bool isLit() const override { return false; }
   void reflectedFactor(const Vec3&, const reflection::Interface&, float* values) const override { values[0] = 0; }
   void transmittedFactor(const Vec3&, const reflection::Interface&, float* values) const override { values[0] = 0; }
 
