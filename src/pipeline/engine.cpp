@@ -33,7 +33,8 @@ std::string resultsFolder(const StageRequest& request, const project::Project& p
 namespace {
 
 std::unique_ptr<solver::Solver> makeSolver(const Engine& engine) {
-  return solver::findSolverType(engine.plan.solver)->make({engine.world, engine.tracer, engine.plan.quadrature, engine.plan.accuracy});
+  return solver::findSolverType(engine.plan.solver)
+      ->make({engine.world, engine.tracer, engine.plan.quadrature, engine.plan.accuracy, engine.plan.tree});
 }
 
 }  // namespace

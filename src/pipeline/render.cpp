@@ -142,6 +142,11 @@ core::Value toJson(const RenderedView& view, const Engine& engine) {
   core::Value::Array leftOut;
   for (const std::string& sentence : leftOutSentences(engine)) leftOut.emplace_back(sentence);
   json.set("left_out", std::move(leftOut));
+  if (const auto statistics = engine.solver->statistics(); !statistics.empty()) {
+    core::Value figures;
+    for (const solver::Statistic& figure : statistics) figures.set(figure.name, figure.value);
+    json.set("statistics", std::move(figures));
+  }
   return json;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planner/spectral_choice.h"
+#include "reflection/shading.h"
 #include "solver/solver.h"
 
 namespace goniolux::planner {
@@ -13,8 +14,29 @@ namespace {
 
 // Share of the asked accuracy that the choice of wavelengths may use up.
 constexpr double spectralShare = 0.1;
+constexpr std::size_t nodesForDispersion = 16;
+
+// The paper's models are no BSDFs: only intersection trees can be shaded by them.
+bool needsTrees(const project::Project& project) {
+  return project.settings.reflectionModel != "material" ||
+         std::any_of(project.environment.materials.begin(), project.environment.materials.end(),
+                     [](const auto& m) { return reflection::findShadingModel(m.model) != nullptr; });
+}
 
 void chooseSolver(const project::Project& project, Plan& plan) {
+  const auto& settings = project.settings;
+  plan.tree = {settings.treeMaxDepth,    settings.treeCutoff, settings.treeAdaptive,
+               settings.reflectionModel, settings.asPrinted,  settings.ambient};
+  if (needsTrees(project)) {
+    if (settings.solver != "auto" && settings.solver != "tree")
+      throw core::InputError({project.file, 0, 0}, "not-for-this-solver",
+                             fmt::format("phong, whitted and hall are local shading models, no BSDFs: the solver "
+                                         "\"{}\" cannot use them; set \"solver\" to \"tree\" or \"auto\"",
+                                         settings.solver));
+    plan.solver = "tree";
+    plan.reasons.emplace_back("solver tree: the project uses phong, whitted or hall, which do not conserve energy");
+    return;
+  }
   if (project.settings.solver == "auto") {
     plan.solver = "gather";
     plan.reasons.emplace_back(

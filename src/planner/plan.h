@@ -8,6 +8,7 @@
 #include "core/document.h"
 #include "project/project.h"
 #include "scene/world.h"
+#include "solver/solver.h"
 #include "spectrum/spectral_quadrature.h"
 
 namespace goniolux::planner {
@@ -21,9 +22,10 @@ struct Omission {
 struct Plan {
   std::string solver;
   spectrum::SpectralQuadrature quadrature;
-  double accuracy = 0.01;    ///< relative, the finest that is asked of what will be calculated
-  double spectralBound = 0;  ///< largest relative error of an illuminance over the likely light paths
-  double colourBound = 0;    ///< largest CIEDE2000 over them
+  double accuracy = 0.01;     ///< relative, the finest that is asked of what will be calculated
+  solver::TreeSettings tree;  ///< for the solver `tree`
+  double spectralBound = 0;   ///< largest relative error of an illuminance over the likely light paths
+  double colourBound = 0;     ///< largest CIEDE2000 over them
   std::vector<Omission> leftOut;
   std::vector<std::string> reasons;
 };

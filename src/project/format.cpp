@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reflection/shading.h"
 #include "solver/solver.h"
 #include "spectrum/schemes.h"
 
@@ -18,9 +19,10 @@ std::vector<std::string> solverNames() {
   return names;
 }
 
-std::vector<std::string> plannedSolvers() {
-  if (solver::findSolverType("tree") != nullptr) return {};
-  return {"tree"};
+std::vector<std::string> forcedModels() {
+  std::vector<std::string> names{"material"};
+  for (const reflection::ShadingModel& model : reflection::shadingModels()) names.push_back(model.name);
+  return names;
 }
 
 Key limitKey(const char* name, const char* help) {
@@ -189,16 +191,11 @@ const Section& settingsSection() {
         .form = Form::quantity,
         .help = "the paper's I_a in cd/m2, for solver \"tree\"",
         .minimum = 0},
-       {.name = "solver",
-        .form = Form::choice,
-        .help = "default auto",
-        .choices = solverNames(),
-        .planned = plannedSolvers()},
+       {.name = "solver", .form = Form::choice, .help = "default auto", .choices = solverNames()},
        {.name = "reflection_model",
         .form = Form::choice,
-        .help = "default: each material's own",
-        .choices = {"material"},
-        .planned = {"phong", "whitted", "hall"}},
+        .help = "of all finishes; default: each material's own",
+        .choices = forcedModels()},
        {.name = "as_printed", .form = Form::boolean, .help = "the paper's formulas taken literally"},
        {.name = "spectral", .form = Form::spectral, .help = "wavelengths that rays carry; default auto"},
        {.name = "tree", .form = Form::section, .help = "of solver \"tree\"", .section = &treeSection()},

@@ -3,6 +3,7 @@
 
 #include "project/format.h"
 #include "reflection/bsdf.h"
+#include "reflection/shading.h"
 
 namespace goniolux::project {
 namespace {
@@ -15,14 +16,6 @@ Key openingAxis() {
   return {.name = "axis", .form = Form::direction, .help = "of the tube or line; default [1, 0, 0]"};
 }
 
-Key reflectance(const char* name, const char* help, bool required = false) {
-  return {.name = name, .form = Form::reflectance, .help = help, .required = required, .minimum = 0, .maximum = 1};
-}
-
-Key quantity(const char* name, const char* help, double minimum) {
-  return {.name = name, .form = Form::quantity, .help = help, .minimum = minimum};
-}
-
 /// The keys of a material: its model's own, and emission, which any surface may have.
 Section materialSection(std::vector<Key> parameters) {
   std::vector<Key> keys{{.name = "model", .form = Form::choice, .help = "reflection model", .required = true}};
@@ -31,17 +24,6 @@ Section materialSection(std::vector<Key> parameters) {
       {.name = "exitance_lm_m2", .form = Form::number, .help = "diffuse light that the surface emits", .minimum = 0});
   keys.push_back({.name = "spectrum", .form = Form::source, .help = "of the emission", .minimum = 0});
   return {"a material", std::move(keys)};
-}
-
-/// Keys of the paper's local shading models (docs: phong, whitted, hall).
-Section hallSection() {
-  return materialSection({reflectance("diffuse", "k_d R_d"),
-                          quantity("specular", "k_s", 0),
-                          {.name = "gloss", .form = Form::number, .help = "exponent n of the highlight", .minimum = 0},
-                          quantity("transmission", "k_t", 0),
-                          quantity("ior", "refractive index", 0),
-                          reflectance("transmittance_per_m", "F, for one metre"),
-                          {.name = "as_printed", .form = Form::boolean, .help = "formulas taken literally"}});
 }
 
 Form formOf(core::ParameterKind kind) {
@@ -97,7 +79,11 @@ const std::vector<MaterialForm>& materialForms() {
       for (const core::Parameter& parameter : model.parameters) keys.push_back(keyOf(parameter));
       list.push_back({model.name, materialSection(std::move(keys))});
     }
-    for (const char* name : {"phong", "whitted", "hall"}) list.push_back({name, hallSection(), true});
+    for (const reflection::ShadingModel& model : reflection::shadingModels()) {
+      std::vector<Key> keys;
+      for (const core::Parameter& parameter : model.parameters) keys.push_back(keyOf(parameter));
+      list.push_back({model.name, materialSection(std::move(keys))});
+    }
     return list;
   }();
   return forms;

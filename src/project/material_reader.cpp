@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/closest_name.h"
 #include "project/format.h"
@@ -11,6 +12,7 @@
 #include "project/spectrum_reader.h"
 #include "reflection/bsdf.h"
 #include "spectrum/cie_data.h"
+#include "spectrum/nk_file.h"
 
 namespace goniolux::project {
 namespace {
@@ -52,6 +54,25 @@ std::optional<material::Emission> readEmission(SectionReader& section, Reading& 
   return emission;
 }
 
+/// n and k of an .nk file: the keys "ior" and "k".
+void readComplexIndex(material::Material& material, const Section& form, const std::string& key,
+                      const core::Value& given, Reading& reading) {
+  if (form.find("k") == nullptr) {
+    reading.error(given, "wrong-spectrum",
+                  fmt::format("n and k are those of a metal; a \"{}\" has a refractive index only", material.model));
+    return;
+  }
+  const auto path = reading.file(given, Library::materials);
+  if (!path) return;
+  try {
+    spectrum::ComplexIndex index = spectrum::readComplexIndexFile(*path, &reading.diagnostics);
+    material.spectra[key] = std::move(index.n);
+    material.spectra["k"] = std::move(index.k);
+  } catch (const core::InputError& error) {
+    reading.adopt(error);
+  }
+}
+
 void readMaterial(material::Material& material, const core::Value& value, Reading& reading) {
   if (!value.isObject()) {
     reading.error(value, "wrong-type", "a material is an object such as { \"model\": \"lambert\", \"diffuse\": 0.5 }");
@@ -68,6 +89,9 @@ void readMaterial(material::Material& material, const core::Value& value, Readin
       if (const auto number = section.number(key.name)) material.numbers[key.name] = *number;
     } else if (key.form == Form::boolean) {
       if (const auto flag = section.boolean(key.name)) material.numbers[key.name] = *flag ? 1 : 0;
+    } else if (key.form == Form::index && given->isString() &&
+               std::filesystem::path(given->string()).extension() == ".nk") {
+      readComplexIndex(material, form->section, key.name, *given, reading);
     } else if (key.form == Form::index) {
       if (auto index = readRefractiveIndex(*given, key, reading)) material.spectra[key.name] = std::move(*index);
     } else {

@@ -13,6 +13,7 @@
 #include "photometry/photometric_file.h"
 #include "scene/environment.h"
 #include "scene/view.h"
+#include "spectrum/spectral_distribution.h"
 
 namespace goniolux::project {
 
@@ -25,6 +26,8 @@ struct Settings {
   AccuracyAsked accuracy;
   std::string solver = "auto";
   std::string reflectionModel = "material";
+  bool asPrinted = false;
+  spectrum::SpectralDistribution ambient;  ///< I_a, cd/m2
   std::string spectralScheme = "auto";
   int spectralSamples = 0;  ///< 0 = the scheme's choice
   int treeMaxDepth = 15;

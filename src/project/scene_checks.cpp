@@ -7,6 +7,7 @@
 #include "geometry/bounds.h"
 #include "geometry/inside.h"
 #include "geometry/queries.h"
+#include "reflection/bsdf.h"
 
 namespace goniolux::project {
 namespace {
@@ -85,14 +86,40 @@ void checkEye(const Project& project, const Vec3& eye, const std::string& what, 
   }
 }
 
+/// Reflectances and transmittances, unlike refractive indices and the coefficients of the paper's models.
+bool isShareOfLight(const material::Material& material, const std::string& key) {
+  const reflection::ReflectionModel* model = reflection::findReflectionModel(material.model);
+  return model != nullptr &&
+         std::any_of(model->parameters.begin(), model->parameters.end(), [&](const core::Parameter& parameter) {
+           return parameter.key == key && parameter.kind == core::ParameterKind::spectrum && parameter.maximum <= 1;
+         });
+}
+
 void checkMaterials(const Project& project, core::Diagnostics& diagnostics) {
   for (const material::Material& material : project.environment.materials) {
     for (const auto& [key, spectrum] : material.spectra) {
-      if (!(spectrum.range().first >= 1)) continue;
+      if (!(spectrum.range().first >= 1) || !isShareOfLight(material, key)) continue;
       diagnostics.warning(
           material.position, "reflects-everything",
           fmt::format("\"{}\" of \"{}\" is 1: nothing real reflects everything, and light in a room of it never dies",
                       key, material.name));
+    }
+  }
+}
+
+// The inside of a body of glass is where its closed shape's inside is; an open shape has none that ends.
+void checkTransparentBodies(const Project& project, core::Diagnostics& diagnostics) {
+  for (const scene::Object& object : project.environment.objects) {
+    if (object.shape.closed) continue;
+    for (const std::uint32_t index : object.materials) {
+      const material::Material& material = project.environment.materials[index];
+      if (material.model != "dielectric" || material.numbers.count("thickness_m") > 0) continue;
+      diagnostics.warning(
+          object.position, "open-body",
+          fmt::format("\"{}\" is of \"{}\" but not closed: the side that its normals point away from counts "
+                      "as inside, without end; close the shape, or give the material \"thickness_m\"",
+                      object.name, material.name));
+      break;
     }
   }
 }
@@ -110,6 +137,7 @@ void checkScene(const Project& project, core::Diagnostics& diagnostics) {
     checkEye(project, observer.eye, "the observer \"" + observer.name + "\"", observer.position, diagnostics);
   }
   checkMaterials(project, diagnostics);
+  checkTransparentBodies(project, diagnostics);
 }
 
 }  // namespace goniolux::project

@@ -132,16 +132,11 @@ Settings readSettings(const core::Value* given, const std::vector<std::string>& 
   if (const core::Value* ambient = section.find("ambient")) {
     const auto spectrum =
         readSpectrum(*ambient, *settingsSection().find("ambient"), spectrum::Role::coefficient, reading);
-    if (spectrum && *spectrum != spectrum::SpectralDistribution::flat(0)) {
-      reading.notSupported(ambient->position(), "an \"ambient\" other than 0 (it belongs to the solver \"tree\")");
-    }
+    if (spectrum) settings.ambient = *spectrum;
   }
   settings.solver = section.choice("solver").value_or(settings.solver);
   settings.reflectionModel = section.choice("reflection_model").value_or(settings.reflectionModel);
-  if (section.boolean("as_printed").value_or(false)) {
-    reading.notSupported(section.find("as_printed")->position(),
-                         "\"as_printed\" (it belongs to phong, whitted and hall)");
-  }
+  settings.asPrinted = section.boolean("as_printed").value_or(settings.asPrinted);
   if (const core::Value* spectral = section.find("spectral")) readSpectral(*spectral, settings, reading);
   if (const core::Value* treeSettings = section.find("tree")) readTree(*treeSettings, settings, reading);
   if (const core::Value* pixel = section.find("pixel")) readPixel(*pixel, settings, reading);
@@ -179,6 +174,7 @@ core::Value settingsDocument(const Settings& settings) {
   document.set("accuracy", std::move(accuracy));
   document.set("solver", settings.solver);
   document.set("reflection_model", settings.reflectionModel);
+  document.set("as_printed", settings.asPrinted);
   document.set("spectral", std::move(spectral));
   document.set("tree", std::move(tree));
   document.set("pixel", std::move(pixel));

@@ -111,7 +111,5 @@ struct ReflectionModel {
 
 const std::vector<ReflectionModel>& reflectionModels();
 const ReflectionModel* findReflectionModel(const std::string& name);
-/// Models of the project format that this version does not have yet.
-const std::vector<std::string>& plannedReflectionModels();
 
 }  // namespace goniolux::reflection

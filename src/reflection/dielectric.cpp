@@ -10,6 +10,8 @@
 #include "reflection/fresnel.h"
 #include "reflection/index_of_refraction.h"
 #include "reflection/models.h"
+#include "reflection/rough_dielectric.h"
+#include "reflection/roughness.h"
 
 namespace goniolux::reflection {
 namespace {
@@ -127,7 +129,7 @@ class ThinPane final : public Bsdf {
 ReflectionModel dielectricModel() {
   ReflectionModel model;
   model.name = "dielectric";
-  model.title = "Transparent, smooth: glass, water; a pane where a thickness is given";
+  model.title = "Transparent: glass, water, smooth or rough (GGX); a pane where a thickness is given";
   core::Parameter attenuation;
   attenuation.key = "attenuation_per_m";
   attenuation.title = "attenuation coefficient";
@@ -139,10 +141,17 @@ ReflectionModel dielectricModel() {
                       plainNumber("thickness_m", "thickness", 0, 1, "of a thin pane on one surface, in metres")};
   model.parameters.back().minimumIsAllowed = false;
   model.parameters.back().unit = "m";
+  for (auto& parameter : roughnessParameters("default 0: smooth")) model.parameters.push_back(parameter);
+  model.complaint = [](const material::Material& m) -> std::string {
+    if (m.numbers.count("thickness_m") > 0 && roughnessOf(m) > 0)
+      return "a pane with \"thickness_m\" is smooth; leave the roughness out, or make the glass a closed shape";
+    return roughnessComplaint(m);
+  };
   model.make = [](const material::Material& m, const spectrum::SpectralQuadrature& q) -> std::unique_ptr<Bsdf> {
     Medium medium = mediumOf(m, q);
     const auto thickness = m.numbers.find("thickness_m");
     if (thickness != m.numbers.end()) return std::make_unique<ThinPane>(std::move(medium), thickness->second);
+    if (const double alpha = roughnessOf(m); alpha >= smoothest) return makeRoughDielectric(std::move(medium), alpha);
     return std::make_unique<Dielectric>(std::move(medium));
   };
   return model;

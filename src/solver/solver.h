@@ -36,6 +36,13 @@ class ReceiverPlan {
   double interreflected = 0;
 };
 
+/// A figure of a solver's own: "average_tree_depth".
+struct Statistic {
+  std::string name;
+  double value = 0;
+  std::string unit;
+};
+
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -71,11 +78,23 @@ class Solver {
 
   /// What this solver leaves out in this world, as sentences; empty: nothing.
   [[nodiscard]] virtual std::vector<std::string> leftOut() const { return {}; }
+  /// Figures of what was done so far, for the results.
+  [[nodiscard]] virtual std::vector<Statistic> statistics() const { return {}; }
   /// Rays traced so far.
   [[nodiscard]] std::uint64_t rays() const { return rays_.load(std::memory_order_relaxed); }
 
  protected:
   mutable std::atomic<std::uint64_t> rays_{0};
+};
+
+/// What the solver `tree` is told by the project's settings.
+struct TreeSettings {
+  int maxDepth = 15;
+  double cutoff = 0.001;
+  bool adaptive = true;
+  std::string reflectionModel = "material";  ///< or one of the paper's, for all finishes
+  bool asPrinted = false;
+  spectrum::SpectralDistribution ambient;  ///< I_a, cd/m2
 };
 
 /// Everything a solver works on; must outlive it.
@@ -84,6 +103,7 @@ struct Problem {
   const tracer::Tracer& tracer;
   const spectrum::SpectralQuadrature& quadrature;
   double accuracy = 0.01;  ///< relative, asked of the results: how fine a light solution is worth its while
+  TreeSettings tree{};
 };
 
 /// The registry of solvers: adding one is a file of its own and a line in solvers.cpp.

@@ -2,6 +2,7 @@
 
 #include "solver/path_solver.h"
 #include "solver/solver.h"
+#include "solver/tree_solver.h"
 
 namespace goniolux::solver {
 
@@ -14,6 +15,11 @@ const std::vector<SolverType>& solverTypes() {
        "closed-form direct light; paths end in a view-independent solution of the interreflection, whose error is "
        "measured by paths that go on, and taken away",
        makeGatherSolver},
+      {"tree", "The paper's intersection tree",
+       "one tree of reflected and refracted rays a sample, adaptive depth, phong, whitted and hall; interreflection by "
+       "an "
+       "ambient term only",
+       makeTreeSolver},
   };
   return types;
 }

@@ -192,19 +192,26 @@ TEST_F(BadInput, WrongTypesSayWhatIsExpected) {
 }
 
 TEST_F(BadInput, WhatTheFormatKnowsButThisVersionDoesNotIsSaidSo) {
-  expectError(changed("\"model\": \"lambert\"", "\"model\": \"hall\""), "\"hall\"",
-              "not supported yet: the reflection model \"hall\"");
   expectError(changed("[3,2] } ]", "[3,2], \"quantity\": \"cylindrical\" } ]"), "\"cylindrical\"",
               "not supported yet: \"quantity\": \"cylindrical\"");
   expectError(
       with("\"observers\": [ { \"name\": \"o\", \"eye\": [1,1,1], \"direction\": [1,0,0], \"quantity\": \"ugr\" } ]"),
       "\"ugr\"", "not supported yet");
-  expectError(with("\"settings\": { \"solver\": \"tree\" }"), "\"tree\"", "not supported yet: \"solver\": \"tree\"");
-  expectError(with("\"settings\": { \"reflection_model\": \"hall\" }"), "\"hall\"", "not supported yet");
-  expectError(with("\"settings\": { \"ambient\": 3 }"), "3 }", "not supported yet");
   expectError(
       changed("\"flux\": 1000", "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[1,0],[0.2,0.5],[1,1]] } }"),
       "[[1,0]", "the profile must begin and end on the axis");
+}
+
+TEST_F(BadInput, MaterialsThatMakeLightAreRefused) {
+  const std::string grey = "\"model\": \"lambert\", \"diffuse\": 0.5";
+  expectError(changed(grey, "\"model\": \"ward\", \"diffuse\": 0.7, \"specular\": 0.4"), "{ \"model\"",
+              "\"diffuse\" and \"specular\" exceed 1 together");
+  expectError(changed(grey, "\"model\": \"conductor\", \"ior\": 1, \"k\": 5, \"roughness\": 0.1, \"gloss\": 20"),
+              "{ \"model\"", "leave only one");
+  expectError(changed(grey, "\"model\": \"dielectric\", \"ior\": 0"), "0 }", "\"ior\"");
+  expectError(changed(grey, "\"model\": \"dielectric\", \"ior\": { \"cauchy\": [1.5, 4200] }"), "[1.5, 4200]",
+              "wavelengths are in micrometres");
+  expectError(changed(grey, "\"model\": \"lambrt\", \"diffuse\": 0.5"), "\"lambrt\"", "no reflection model");
 }
 
 TEST_F(BadInput, AllErrorsOfAFileAreListedTogether) {

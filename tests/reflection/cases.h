@@ -37,6 +37,19 @@ inline std::vector<Case> whiteCases() {
   cases.push_back({"glass from air", finish("dielectric", {{"ior", 1.5}}), 1.5, 1});
   cases.push_back({"glass from inside", finish("dielectric", {{"ior", 1.5}}), 1, 1.5});
   cases.push_back({"pane", finish("dielectric", {{"ior", 1.52}}, {{"thickness_m", 0.006}})});
+  for (const double alpha : {0.03, 0.1, 0.3, 0.6, 1.0}) {
+    const std::string name = std::to_string(alpha);
+    // n = 0 and a large k: a mirror at every angle (F = 1 to 1e-10).
+    cases.push_back({"white metal " + name, finish("conductor", {{"ior", 1e-4}, {"k", 1e5}}, {{"roughness", alpha}})});
+    cases.push_back(
+        {"rough glass from air " + name, finish("dielectric", {{"ior", 1.5}}, {{"roughness", alpha}}), 1.5, 1});
+    cases.push_back(
+        {"rough glass from inside " + name, finish("dielectric", {{"ior", 1.5}}, {{"roughness", alpha}}), 1, 1.5});
+    cases.push_back({"ward " + name, finish("ward", {{"diffuse", 0.5}, {"specular", 0.5}}, {{"roughness", alpha}})});
+  }
+  cases.push_back({"smooth white metal", finish("conductor", {{"ior", 1e-4}, {"k", 1e5}})});
+  cases.push_back({"gold", finish("conductor", {{"ior", 0.35}, {"k", 2.714}}, {{"roughness", 0.2}})});
+  cases.push_back({"opal film", finish("diffuse-transmission", {{"diffuse", 0.4}, {"transmission", 0.6}})});
   return cases;
 }
 

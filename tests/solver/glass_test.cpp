@@ -263,5 +263,63 @@ TEST(Glass, LightGuideLosesNothingByTotalReflection) {
   EXPECT_LT(std::abs(l.mean - 100 * (1 - r) / (1 + r)), 4 * l.standardError + 0.5);
 }
 
+// A body that loses no light cannot be seen in a uniform surround, whatever its finish: the furnace through the whole
+// solver, with emitters found both by connections and by sampled directions.
+TEST(Finishes, ThatLoseNoLightAreInvisibleInAUniformSurround) {
+  const struct {
+    const char* name;
+    material::Material material;
+  } cases[] = {
+      {"rough metal", finish("metal", "conductor", {{"ior", 1e-4}, {"k", 1e5}}, {{"roughness", 0.3}})},
+      {"nearly smooth metal", finish("metal", "conductor", {{"ior", 1e-4}, {"k", 1e5}}, {{"roughness", 0.05}})},
+      {"rough glass", finish("frosted", "dielectric", {{"ior", 1.5}}, {{"roughness", 0.4}})},
+      {"opal film", finish("film", "diffuse-transmission", {{"diffuse", 0.3}, {"transmission", 0.7}})},
+      {"chalk", finish("chalk", "oren-nayar", {{"diffuse", 1}}, {{"roughness", 0.8}})},
+  };
+  for (const auto& c : cases) {
+    Scene scene;
+    scene.addBox({-0.3, -0.4, -0.5}, {0.3, 0.4, 0.5}, scene.add(c.material));
+    auto bright = finish("bright", "lambert", {{"diffuse", 0.5}});
+    bright.emission = material::Emission{core::pi * 50, SpectralDistribution::flat(1)};
+    scene.addBox({-3, -3, -3}, {3, 3, 3}, scene.add(bright));  // L = 50 + 0.5 L
+    const auto l = scene.radiance({-2, 0, 0}, {1, 0.1, 0.15}, 512);
+    EXPECT_LT(std::abs(l.mean - 100), 4 * l.standardError + 0.1) << c.name << " " << l.mean;
+    EXPECT_LT(l.standardError, 1) << c.name;
+  }
+}
+
+// A lamp's reflection in a rough metal plate against the integral over the lamp of the model's own value.
+TEST(Finishes, ALampInARoughMetalPlateHasTheLuminanceOfTheIntegralOverIt) {
+  for (const double alpha : {0.02, 0.1, 0.3, 0.9}) {
+    Scene scene;
+    const auto metal = finish("metal", "conductor", {{"ior", 0.96}, {"k", 6.69}}, {{"roughness", alpha}});
+    scene.addQuad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, scene.add(metal));
+    const Vec3 lamp(1, 0, 2);
+    const double radius = 0.2, luminance = 1000;
+    scene.addSphere(lamp, 2 * radius, luminance);
+    const Vec3 out = glm::normalize(Vec3(-1.1, 0.1, 2));
+    const auto l = scene.radiance(out * 0.5, -out, 4096);
+    // Midpoint rule over the cone in which the sphere is seen.
+    const auto bsdf = reflection::findReflectionModel("conductor")->make(metal, scene.quadrature);
+    const double distance = glm::length(lamp), most = 1 - std::sqrt(1 - radius * radius / (distance * distance));
+    core::Frame frame;
+    frame.z = lamp / distance;
+    core::perpendiculars(frame.z, frame.x, frame.y);
+    double sum = 0;
+    constexpr int rows = 300, columns = 600;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < columns; ++j) {
+        const double z = 1 - most * (i + 0.5) / rows, angle = 2 * core::pi * (j + 0.5) / columns,
+                     r = std::sqrt(1 - z * z);
+        const Vec3 in = frame.toWorld({r * std::cos(angle), r * std::sin(angle), z});
+        float f = 0;
+        bsdf->evaluate(out, in, {}, &f);
+        sum += static_cast<double>(f) * in.z * luminance * 2 * core::pi * most / (rows * columns);
+      }
+    EXPECT_LT(std::abs(l.mean - sum), 4 * l.standardError + 0.002 * sum) << alpha << ": " << l.mean << " and " << sum;
+    EXPECT_LT(l.standardError, 0.02 * sum + 0.01) << alpha;
+  }
+}
+
 }  // namespace
 }  // namespace goniolux::solver
