@@ -14,7 +14,6 @@ namespace {
 
 // Share of the asked accuracy that the choice of wavelengths may use up.
 constexpr double spectralShare = 0.1;
-constexpr std::size_t nodesForDispersion = 16;
 
 // The paper's models are no BSDFs: only intersection trees can be shaded by them.
 bool needsTrees(const project::Project& project) {
