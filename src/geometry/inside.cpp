@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/clipped_quadric.h"
 #include "geometry/quadric_intersect.h"
 #include "geometry/queries.h"
 
@@ -47,15 +48,17 @@ double distanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
 InsideTest::InsideTest(const Shape& shape, const Mat4& transform) {
   if (!shape.closed) return;
   bounds_ = bounds(shape, transform);
-  mesh_ = shape.mesh;
-  for (Vec3& vertex : mesh_.vertices) vertex = apply(transform, vertex);
-  if (glm::determinant(Mat3(transform)) < 0) {
-    for (auto& t : mesh_.triangles) std::swap(t[1], t[2]);
-  }
+  mesh_ = &shape.mesh;
+  toWorld_ = transform;
+  winding_ = glm::determinant(Mat3(transform)) < 0 ? -1 : 1;
   for (const QuadricPatch& patch : shape.patches) {
     const Mat4 toCanonical = glm::inverse(transform * patch.placement);
     patches_.push_back({patch, toCanonical, glm::transpose(Mat3(toCanonical))});
   }
+}
+
+Vec3 InsideTest::corner(std::uint32_t vertex) const {
+  return apply(toWorld_, mesh_->vertices[vertex]);
 }
 
 bool InsideTest::contains(const Vec3& point, double margin) const {
@@ -69,14 +72,14 @@ bool InsideTest::contains(const Vec3& point, double margin) const {
 // Sum of signed solid angles over 4 pi. — Van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983), eq. 8
 double InsideTest::meshWinding(const Vec3& point) const {
   double halfSolidAngle = 0;
-  for (const auto& t : mesh_.triangles) {
-    const Vec3 a = mesh_.vertices[t[0]] - point, b = mesh_.vertices[t[1]] - point, c = mesh_.vertices[t[2]] - point;
+  for (const auto& t : mesh_->triangles) {
+    const Vec3 a = corner(t[0]) - point, b = corner(t[1]) - point, c = corner(t[2]) - point;
     const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
     const double numerator = glm::dot(a, glm::cross(b, c));
     const double denominator = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
     halfSolidAngle += std::atan2(numerator, denominator);
   }
-  return halfSolidAngle / (2 * core::pi);
+  return winding_ * halfSolidAngle / (2 * core::pi);
 }
 
 // Crossings along three rays, outward ones counted +1, inward ones -1; the middle of the three counts, since a ray may
@@ -105,8 +108,8 @@ double InsideTest::patchWinding(const Vec3& point) const {
 }
 
 bool InsideTest::touchesMesh(const Vec3& point, double margin) const {
-  return std::any_of(mesh_.triangles.begin(), mesh_.triangles.end(), [&](const auto& t) {
-    return distanceToTriangle(point, mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]) < margin;
+  return std::any_of(mesh_->triangles.begin(), mesh_->triangles.end(), [&](const auto& t) {
+    return distanceToTriangle(point, corner(t[0]), corner(t[1]), corner(t[2])) < margin;
   });
 }
 
@@ -139,6 +142,15 @@ bool InsideTest::touchesPatch(const Patch& patch, const Vec3& point, double marg
       f = 0.5 * (p.x * p.x + p.y * p.y - radius * radius);
       break;
     }
+    case QuadricPatch::Kind::torus: {
+      const double across = std::hypot(p.x, p.y) - 1;
+      f = 0.5 * (across * across + p.z * p.z - patch.canonical.ratio * patch.canonical.ratio);
+      break;
+    }
+    case QuadricPatch::Kind::quadric:
+      if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 1 + reach) return false;
+      f = 0.5 * quadricValue(patch.canonical.form, p);
+      break;
   }
   return std::abs(f) < margin * glm::length(patch.normalToWorld * gradient);
 }

@@ -21,20 +21,24 @@ EdgeKey keyOf(std::uint32_t a, std::uint32_t b) {
 
 // One use of an edge by a triangle; `forward`: from the lower to the higher vertex number.
 struct Use {
+  EdgeKey edge;
   std::uint32_t triangle;
   bool forward;
 };
 
-std::unordered_map<EdgeKey, std::vector<Use>> usesOfEdges(const Mesh& mesh) {
-  std::unordered_map<EdgeKey, std::vector<Use>> uses;
-  uses.reserve(mesh.triangles.size() * 2);
+// All uses, those of an edge side by side.
+std::vector<Use> usesOfEdges(const Mesh& mesh) {
+  std::vector<Use> uses;
+  uses.reserve(mesh.triangles.size() * 3);
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      uses[keyOf(a, b)].push_back({i, a < b});
+      uses.push_back({keyOf(a, b), i, a < b});
     }
   }
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& a, const Use& b) { return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle; });
   return uses;
 }
 
@@ -83,30 +87,33 @@ std::size_t removeDegenerateTriangles(Mesh& mesh) {
 }
 
 void mergeVertices(Mesh& mesh, double tolerance) {
-  // A vertex joins the first one found in its cell of the grid or a neighbouring one.
+  // A vertex joins the first one found within the tolerance. Cells are two tolerances wide, so that only the eight
+  // about the nearest corner of its cell can hold one; those kept in a cell are chained.
+  constexpr std::uint32_t none = UINT32_MAX;
   std::unordered_map<std::array<std::int64_t, 3>, std::uint32_t, CellHash> cells;
   cells.reserve(mesh.vertices.size());
-  std::vector<std::uint32_t> renamed(mesh.vertices.size());
+  std::vector<std::uint32_t> renamed(mesh.vertices.size()), next;
   std::vector<Vec3> kept;
-  const double pitch = std::max(tolerance, 1e-300);
-  const auto cellOf = [&](const Vec3& p) {
-    return std::array<std::int64_t, 3>{std::llround(p.x / pitch), std::llround(p.y / pitch), std::llround(p.z / pitch)};
-  };
+  const double pitch = 2 * std::max(tolerance, 1e-300);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3& p = mesh.vertices[i];
-    const auto cell = cellOf(p);
-    const std::uint32_t none = UINT32_MAX;
+    std::array<std::int64_t, 3> cell, low;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = p[axis] / pitch;
+      cell[std::size_t(axis)] = static_cast<std::int64_t>(std::floor(at));
+      low[std::size_t(axis)] = std::llround(at) - 1;
+    }
     std::uint32_t found = none;
-    for (int n = 0; n < 27 && found == none; ++n) {
-      const std::array<std::int64_t, 3> neighbour{cell[0] + (n % 3 + 1) % 3 - 1, cell[1] + (n / 3 % 3 + 1) % 3 - 1,
-                                                  cell[2] + (n / 9 + 1) % 3 - 1};
-      const auto it = cells.find(neighbour);
-      if (it != cells.end() && glm::distance(kept[it->second], p) <= tolerance) found = it->second;
+    for (unsigned n = 0; n < 8 && found == none; ++n) {
+      const auto it = cells.find({low[0] + (n & 1), low[1] + (n >> 1 & 1), low[2] + (n >> 2)});
+      if (it == cells.end()) continue;
+      for (found = it->second; found != none && !(glm::distance(kept[found], p) <= tolerance);) found = next[found];
     }
     if (found == none) {
       found = static_cast<std::uint32_t>(kept.size());
       kept.push_back(p);
-      cells.emplace(cell, found);
+      const auto [head, isNew] = cells.try_emplace(cell, found);
+      next.push_back(isNew ? none : std::exchange(head->second, found));
     }
     renamed[i] = found;
   }
@@ -118,13 +125,15 @@ void mergeVertices(Mesh& mesh, double tolerance) {
 
 EdgeReport checkEdges(const Mesh& mesh) {
   EdgeReport report;
-  for (const auto& [key, uses] : usesOfEdges(mesh)) {
+  const std::vector<Use> uses = usesOfEdges(mesh);
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
     ++report.edges;
-    if (uses.size() == 1) {
+    if (last - first == 1) {
       ++report.boundary;
-    } else if (uses.size() > 2) {
+    } else if (last - first > 2) {
       ++report.nonManifold;
-    } else if (uses[0].forward == uses[1].forward) {
+    } else if (uses[first].forward == uses[first + 1].forward) {
       ++report.inconsistent;
     }
   }
@@ -146,10 +155,13 @@ EdgeReport orientOutward(Mesh& mesh) {
         const std::uint32_t i = shell[next];
         for (unsigned k = 0; k < 3; ++k) {
           const auto& t = mesh.triangles[i];  // as the file has it: turned ones are flipped when the shell is complete
-          const auto& sharing = uses.at(keyOf(t[k], t[(k + 1) % 3]));
-          if (sharing.size() != 2) continue;
-          const Use& mine = sharing[0].triangle == i ? sharing[0] : sharing[1];
-          const Use& other = sharing[0].triangle == i ? sharing[1] : sharing[0];
+          const EdgeKey edge = keyOf(t[k], t[(k + 1) % 3]);
+          const auto begin =
+              std::partition_point(uses.begin(), uses.end(), [&](const Use& u) { return u.edge < edge; });
+          const auto end = std::partition_point(begin, uses.end(), [&](const Use& u) { return u.edge == edge; });
+          if (end - begin != 2) continue;
+          const Use& mine = begin->triangle == i ? begin[0] : begin[1];
+          const Use& other = begin->triangle == i ? begin[1] : begin[0];
           if (state[other.triangle] != untouched) continue;
           const bool agrees = mine.forward != other.forward;
           state[other.triangle] = agrees == (state[i] == kept) ? kept : turned;

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "geometry/arguments.h"
+#include "geometry/gltf_check.h"
 #include "geometry/mesh_checks.h"
 #include "geometry/triangulate.h"
 
@@ -186,6 +187,7 @@ void checkFile(const FileName& name) {
   if (bytes == 0) name.refuse("is empty");
   if (bytes > maximumBytes) name.refuse("is larger than 1 GB; decimate the mesh");
   if (extension == ".ply") checkPlyHeader(name);
+  if (isGltf(name.path)) checkGltf(name.path);
 }
 
 Shape make(const core::Arguments& arguments) {

@@ -7,11 +7,14 @@
 #include "geometry/cylinder.h"
 #include "geometry/disc.h"
 #include "geometry/mesh_import.h"
+#include "geometry/parametric.h"
 #include "geometry/polygon.h"
 #include "geometry/polyhedron.h"
+#include "geometry/quadric.h"
 #include "geometry/rectangle.h"
 #include "geometry/revolution.h"
 #include "geometry/sphere.h"
+#include "geometry/torus.h"
 
 namespace goniolux::geometry {
 
@@ -25,7 +28,10 @@ const std::vector<ObjectType>& objectTypes() {
       sphereType(),
       cylinderType(),
       coneType(),
+      torusType(),
+      quadricType(),
       revolutionType(),
+      parametricType(),
       polyhedronType(),
       meshType(),
       // clang-format on
@@ -37,11 +43,6 @@ const ObjectType* findObjectType(const std::string& name) {
   const auto& types = objectTypes();
   const auto it = std::find_if(types.begin(), types.end(), [&](const ObjectType& type) { return type.name == name; });
   return it == types.end() ? nullptr : &*it;
-}
-
-const std::vector<std::string>& plannedObjectTypes() {
-  static const std::vector<std::string> names{"torus", "quadric", "parametric"};
-  return names;
 }
 
 }  // namespace goniolux::geometry

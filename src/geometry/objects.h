@@ -27,7 +27,4 @@ struct ObjectType {
 const std::vector<ObjectType>& objectTypes();
 const ObjectType* findObjectType(const std::string& name);
 
-/// Shapes of the project format that this version does not build yet: the reader says so instead of "unknown".
-const std::vector<std::string>& plannedObjectTypes();
-
 }  // namespace goniolux::geometry

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "geometry/clipped_quadric.h"
+#include "geometry/quadratic.h"
+#include "geometry/torus_intersect.h"
 
 namespace goniolux::geometry {
 
@@ -13,30 +16,6 @@ using core::Vec3;
 namespace {
 
 constexpr double rimSlack = 1e-9;
-
-// a b - c d with an error of 1.5 ulp. — Kahan's algorithm; Jeannerod, Louvet, Muller, Math. Comp. 82 (2013).
-double differenceOfProducts(double a, double b, double c, double d) {
-  const double cd = c * d;
-  const double error = std::fma(-c, d, cd);
-  return std::fma(a, b, -cd) + error;
-}
-
-// Roots of a t^2 + 2 b t + c = 0 in ascending order; false when there are none. With a = 0 one root is at infinity and
-// falls out of every later range test. — stable form, Press et al., Numerical Recipes, 3rd ed., (5.6.4)
-// A discriminant that is negative only within the rounding of a, b and c (of order `scale`) counts as 0: a ray from
-// inside a cone through its apex must not escape.
-bool solve(double a, double b, double c, double scale, double& t0, double& t1) {
-  double discriminant = differenceOfProducts(b, b, a, c);
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * scale;
-  if (discriminant < 0 && discriminant >= -rounding && std::abs(a) > 1e-3 * scale) discriminant = 0;
-  if (!(discriminant >= 0)) return false;
-  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-  if (q == 0 && a == 0) return false;
-  t0 = q == 0 ? 0 : c / q;
-  t1 = a == 0 ? std::copysign(HUGE_VAL, q) : q / a;
-  if (t0 > t1) std::swap(t0, t1);
-  return true;
-}
 
 double radiusAt(const QuadricPatch& patch, double z) {
   return patch.kind == QuadricPatch::Kind::cone ? 1 + (patch.ratio - 1) * z : 1.0;
@@ -57,6 +36,9 @@ int intersectAll(const QuadricPatch& patch, const Vec3& origin, const Vec3& dire
     t[0] = hit;
     return 1;
   }
+
+  if (patch.kind == Kind::torus) return intersectTorus(patch.ratio, origin, direction, tMin, tMax, t);
+  if (patch.kind == Kind::quadric) return intersectClippedQuadric(patch.form, origin, direction, tMin, tMax, t);
 
   // Re-centre: from the point of the ray nearest to the patch's middle, coefficients are of order 1 however far away
   // the ray began, and a ray that stays outside the bounding sphere is done. — Haines et al., "Precision Improvements
@@ -86,7 +68,7 @@ int intersectAll(const QuadricPatch& patch, const Vec3& origin, const Vec3& dire
     c = o.x * o.x + differenceOfProducts(o.y, o.y, radius, radius);
   }
   double roots[2];
-  if (!solve(a, b, c, lengthSquared, roots[0], roots[1])) return 0;
+  if (!solveQuadratic(a, b, c, lengthSquared, roots[0], roots[1])) return 0;
   int count = 0;
   for (const double root : roots) {
     const double hit = shift + root;
@@ -119,6 +101,15 @@ Vec3 gradient(const QuadricPatch& patch, const Vec3& point) {
       return point;
     case QuadricPatch::Kind::cylinder:
       return {point.x, point.y, 0};
+    case QuadricPatch::Kind::torus: {
+      const double rho = std::hypot(point.x, point.y);
+      const double across = rho > 0 ? 1 - 1 / rho : 0.0;
+      return {across * point.x, across * point.y, point.z};
+    }
+    case QuadricPatch::Kind::quadric: {
+      const Vec3 half = quadricHalfGradient(patch.form, point);
+      return glm::dot(half, half) > 0 ? half : Vec3(0, 0, 1);
+    }
     case QuadricPatch::Kind::cone:
       break;
   }
@@ -159,6 +150,19 @@ Bounds boundsOf(const QuadricPatch& patch, const Mat4& transform) {
       addCircle(0, 1);
       addCircle(1, radiusAt(patch, 1));
       break;
+    case QuadricPatch::Kind::torus: {
+      // The hull is that of a disc thickened by a ball: their supports add up.
+      const Vec3 half = glm::sqrt(x * x + y * y) + patch.ratio * glm::sqrt(x * x + y * y + z * z);
+      bounds.add(center - half);
+      bounds.add(center + half);
+      break;
+    }
+    case QuadricPatch::Kind::quadric: {  // the box, which the surface may not fill
+      const Vec3 half = glm::abs(x) + glm::abs(y) + glm::abs(z);
+      bounds.add(center - half);
+      bounds.add(center + half);
+      break;
+    }
   }
   return bounds;
 }

@@ -1,4 +1,5 @@
-// Where a ray meets a canonical quadric patch (geometry/shape.h), in closed form, double precision.
+// Where a ray meets a canonical patch (geometry/shape.h), in double precision: quadrics in closed form, the torus by a
+// bracketed root finder.
 // Everything here is in the patch's canonical space: map a ray with the inverse of (transform * placement); `t` is the
 // same in both spaces, because the map is affine and directions need no unit length. Thread-safe: no state.
 #pragma once
@@ -18,7 +19,7 @@ bool intersect(const QuadricPatch& patch, const core::Vec3& origin, const core::
                double tMax, double& t);
 
 /// The most often that a line meets a patch.
-inline constexpr int mostCrossings = 2;
+inline constexpr int mostCrossings = 4;
 
 /// All crossings with tMin < t < tMax in ascending order: returns how many were written to `t`.
 int intersectAll(const QuadricPatch& patch, const core::Vec3& origin, const core::Vec3& direction, double tMin,
@@ -29,7 +30,7 @@ int intersectAll(const QuadricPatch& patch, const core::Vec3& origin, const core
 /// or world space: multiply by the inverse transpose of the map's linear part, then normalise.
 core::Vec3 canonicalNormal(const QuadricPatch& patch, const core::Vec3& point);
 
-/// Tight bounding box of the patch under `transform * patch.placement`.
+/// Tight bounding box of the patch (of a quadric: its box) under `transform * patch.placement`.
 Bounds boundsOf(const QuadricPatch& patch, const core::Mat4& transform = core::Mat4(1.0));
 
 }  // namespace goniolux::geometry

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/clipped_quadric.h"
 #include "geometry/quadric_intersect.h"
 
 namespace goniolux::geometry {
@@ -21,6 +22,8 @@ Vec3 apply(const Mat4& map, const Vec3& point) {
 Mat3 cofactor(const Mat3& m) {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
+
+constexpr int quadricSteps = 256;
 
 // Mean of |C n(phi)| over the circle n = (rho cos phi, rho sin phi, z): the trapezoidal rule, which converges
 // geometrically for periodic functions.
@@ -55,6 +58,23 @@ double patchArea(const QuadricPatch& patch, const Mat4& transform) {
     }
     case Kind::cylinder:
       return 2 * core::pi * meanLength(c, 1, 0);
+    case Kind::torus: {
+      // dA = k (1 + k cos theta) dtheta dphi; the trapezoidal rule round both circles.
+      constexpr int nodes = 128;
+      const double k = patch.ratio;
+      double sum = 0;
+      for (int i = 0; i < nodes; ++i) {
+        const double theta = 2 * core::pi * (i + 0.5) / nodes;
+        sum += (1 + k * std::cos(theta)) * meanLength(c, std::cos(theta), std::sin(theta));
+      }
+      return 4 * core::pi * core::pi * k * sum / nodes;
+    }
+    case Kind::quadric: {
+      double sum = 0;
+      visitSurface(patch.form, quadricSteps,
+                   [&](const Vec3&, const Vec3& normal, double area) { sum += area * glm::length(c * normal); });
+      return sum;
+    }
     case Kind::cone:
       break;
   }
@@ -76,6 +96,16 @@ Moments outwardMoments(const QuadricPatch& patch) {
       return {Vec3(0), 4 * core::pi};
     case Kind::cylinder:
       return {Vec3(0), 2 * core::pi};
+    case Kind::torus:
+      return {Vec3(0), 6 * core::pi * core::pi * patch.ratio * patch.ratio};  // three times the volume
+    case Kind::quadric: {
+      Moments sum;
+      visitSurface(patch.form, quadricSteps, [&](const Vec3& point, const Vec3& normal, double area) {
+        sum.normal += area * normal;
+        sum.flux += area * glm::dot(point, normal);
+      });
+      return sum;
+    }
     case Kind::cone:
       break;
   }

@@ -11,7 +11,8 @@
 namespace goniolux::geometry {
 
 /// Area of one side, m^2. Triangles and discs exact under every affine map, curved patches under similarities; under
-/// uneven scaling by quadrature (relative error below 1e-6 for scale ratios up to 10).
+/// uneven scaling by quadrature (relative error below 1e-6 for scale ratios up to 10); quadrics always by quadrature
+/// (below 1e-3).
 double area(const Shape& shape, const core::Mat4& transform = core::Mat4(1.0));
 /// The same for each part (index into Shape::partNames).
 std::vector<double> partAreas(const Shape& shape, const core::Mat4& transform = core::Mat4(1.0));
@@ -19,8 +20,8 @@ std::vector<double> partAreas(const Shape& shape, const core::Mat4& transform = 
 /// Integral of the outward unit normal over the surface: zero for a closed shape.
 core::Vec3 vectorArea(const Shape& shape, const core::Mat4& transform = core::Mat4(1.0));
 
-/// Volume enclosed by a closed shape, m^3, exact under every affine map; negative when the shape is turned inside out
-/// (the transform's own reflection does not count). Meaningless for open shapes.
+/// Volume enclosed by a closed shape, m^3, exact under every affine map (quadrics: within 1e-3); negative when the
+/// shape is turned inside out (the transform's own reflection does not count). Meaningless for open shapes.
 double volume(const Shape& shape, const core::Mat4& transform = core::Mat4(1.0));
 
 /// Tight bounding box.

@@ -19,19 +19,21 @@ struct Mesh {
   std::vector<std::uint32_t> parts;
 };
 
-/// A patch of a quadric in canonical space, placed by an affine map, intersected in closed form in canonical space:
-/// disc:     ratio^2 <= x^2 + y^2 <= 1, z = 0, normal +z (a ring when `ratio` is above 0)
-/// sphere:   x^2 + y^2 + z^2 = 1
-/// cylinder: x^2 + y^2 = 1, 0 <= z <= 1 (side only)
-/// cone:     x^2 + y^2 = (1 + (ratio - 1) z)^2, 0 <= z <= 1 (side only; radius 1 at z = 0, `ratio` at z = 1)
+/// A bounded surface in canonical space, placed by an affine map and intersected exactly in canonical space: quadrics
+/// in closed form, the torus by a bracketed root finder. disc:     ratio^2 <= x^2 + y^2 <= 1, z = 0, normal +z (a ring
+/// when `ratio` is above 0) sphere:   x^2 + y^2 + z^2 = 1 cylinder: x^2 + y^2 = 1, 0 <= z <= 1 (side only) cone: x^2 +
+/// y^2 = (1 + (ratio - 1) z)^2, 0 <= z <= 1 (side only; radius 1 at z = 0, `ratio` at z = 1) torus:    (sqrt(x^2 + y^2)
+/// - 1)^2 + z^2 = ratio^2, ratio < 1 quadric:  p^T form p = 0 for p = (x, y, z, 1), within -1 <= x, y, z <= 1; its
+/// front is where the form grows
 struct QuadricPatch {
-  enum class Kind { disc, sphere, cylinder, cone };
+  enum class Kind { disc, sphere, cylinder, cone, torus, quadric };
   Kind kind = Kind::disc;
   double ratio = 0;
   core::Mat4 placement{1.0};  ///< canonical -> object
   std::uint32_t part = 0;
   bool turned = false;   ///< its front is the other side: towards the axis or the middle
   bool isFacet = false;  ///< one of many that stand for a smooth surface: its rims are no edges of the object
+  core::Mat4 form{0.0};  ///< quadric only: symmetric, the largest element of the order of 1
 };
 
 struct Shape {

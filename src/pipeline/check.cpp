@@ -1,6 +1,9 @@
-// Stage `check`: reads a project with everything that it refers to, and lists every error and warning.
+// Stage `check`: reads a project with everything that it refers to, looks for what makes calculations fail, and lists
+// every error and warning.
 #include <fmt/format.h>
 
+#include "pipeline/geometry_findings.h"
+#include "pipeline/repair.h"
 #include "pipeline/stages.h"
 #include "project/project.h"
 
@@ -39,7 +42,15 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
     const project::Project project =
         project::readProject(request.inputs.front(), {request.common.set, request.common.scene});
     found = project.warnings;
+    findInGeometry(project, found);
+    findByRays(project, found);
     report.text = summary(project) + "\n";
+    if (const auto fix = request.options.find("fix"); fix != request.options.end()) {
+      const std::vector<std::string> repairs = repairProject(project, fix->second);
+      for (const std::string& repair : repairs) report.text += "mended: " + repair + "\n";
+      report.json.set("repairs", core::Value::arrayOf(repairs));
+      if (!repairs.empty()) report.files.push_back(fix->second);
+    }
   } catch (const core::InputError& error) {
     // The errors are what this stage was asked for: they are its result, and the exit code still says that input is
     // bad.
@@ -60,8 +71,18 @@ Stage checkStage() {
   Stage stage;
   stage.name = "check";
   stage.title = "Check a project";
-  stage.help = "Reads a project and every file that it refers to, and lists all errors and warnings with their places.";
+  stage.help =
+      "Reads a project and every file that it refers to, and lists all errors and warnings with their places: faults "
+      "of the "
+      "files; holes in the room, coincident surfaces, slivers, open glass, luminaires and grid points inside objects, "
+      "luminaires behind surfaces, objects that reach out of the room, an absurd scale.";
   stage.inputName = "PROJECT";
+  core::Parameter fix;
+  fix.key = "fix";
+  fix.title = "new project file";
+  fix.kind = core::ParameterKind::text;
+  fix.help = "writes the project with what can be mended safely: surfaces in one plane parted, cracks in meshes joined";
+  stage.options = {fix};
   stage.run = run;
   return stage;
 }

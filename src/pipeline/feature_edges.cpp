@@ -6,11 +6,12 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/tessellate.h"
+
 namespace goniolux::pipeline {
 namespace {
 
 using core::Mat4;
-using core::Vec2;
 using core::Vec3;
 using geometry::Mesh;
 using geometry::QuadricPatch;
@@ -143,40 +144,10 @@ void patchEdges(const QuadricPatch& patch, const Mat4& objectToWorld, std::vecto
       if (hasRims) circle(toWorld, ratio, 1, edges);
       sideSilhouette(toWorld, ratio, edges);
       break;
-  }
-}
-
-void patchTriangles(const QuadricPatch& patch, const Mat4& objectToWorld, std::vector<Triangle>& triangles) {
-  const Mat4 toWorld = objectToWorld * patch.placement;
-  // Every patch as rings of the unit circle: radius and height of each ring.
-  std::vector<Vec2> rings;
-  switch (patch.kind) {
-    case QuadricPatch::Kind::disc:
-      rings = {{patch.ratio, 0}, {1, 0}};
+    case QuadricPatch::Kind::torus:
+    case QuadricPatch::Kind::quadric:
+      meshEdges(geometry::tessellate(patch, roundSides), objectToWorld, edges);
       break;
-    case QuadricPatch::Kind::cylinder:
-      rings = {{1, 0}, {1, 1}};
-      break;
-    case QuadricPatch::Kind::cone:
-      rings = {{1, 0}, {patch.ratio, 1}};
-      break;
-    case QuadricPatch::Kind::sphere:
-      for (int i = 0; i <= roundSides / 2; ++i) {
-        const double angle = core::pi * i / (roundSides / 2);
-        rings.emplace_back(std::sin(angle), -std::cos(angle));
-      }
-      break;
-  }
-  for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring) {
-    for (int i = 0; i < roundSides; ++i) {
-      const double a = 2 * core::pi * i / roundSides, b = 2 * core::pi * (i + 1) / roundSides;
-      const Vec3 p = transformed(toWorld, onCircle(a, rings[ring].x, rings[ring].y));
-      const Vec3 q = transformed(toWorld, onCircle(b, rings[ring].x, rings[ring].y));
-      const Vec3 r = transformed(toWorld, onCircle(b, rings[ring + 1].x, rings[ring + 1].y));
-      const Vec3 s = transformed(toWorld, onCircle(a, rings[ring + 1].x, rings[ring + 1].y));
-      triangles.push_back({p, q, r});
-      triangles.push_back({p, r, s});
-    }
   }
 }
 
@@ -198,13 +169,12 @@ std::vector<Segment> featureEdges(const scene::Object& object) {
 
 std::vector<Triangle> coveringTriangles(const scene::Object& object) {
   std::vector<Triangle> triangles;
-  const Mesh& mesh = object.shape.mesh;
+  const Mesh mesh = geometry::tessellate(object.shape, roundSides);
   for (const auto& corner : mesh.triangles) {
     triangles.push_back({transformed(object.transform, mesh.vertices[corner[0]]),
                          transformed(object.transform, mesh.vertices[corner[1]]),
                          transformed(object.transform, mesh.vertices[corner[2]])});
   }
-  for (const QuadricPatch& patch : object.shape.patches) patchTriangles(patch, object.transform, triangles);
   return triangles;
 }
 

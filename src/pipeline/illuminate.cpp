@@ -23,7 +23,8 @@ using core::Vec3;
 std::vector<geometry::InsideTest> solidsOf(const project::Project& project) {
   std::vector<geometry::InsideTest> solids;
   for (const scene::Object& object : project.environment.objects)
-    if (object.shape.closed && !object.facesInward) solids.emplace_back(object.shape, object.transform);
+    if (object.shape.closed && !object.facesInward)
+      for (const core::Mat4& place : scene::placesOf(object)) solids.emplace_back(object.shape, place);
   return solids;
 }
 

@@ -7,6 +7,11 @@ const std::vector<Stage>& stages() {
       // the main job
       runStage(),
 
+      // projects
+      newStage(),
+      importStage(),
+      exportStage(),
+
       // from the project to its light
       checkStage(),
       planStage(),

@@ -6,6 +6,9 @@
 
 namespace goniolux::pipeline {
 
+Stage newStage();
+Stage importStage();
+Stage exportStage();
 Stage runStage();
 Stage checkStage();
 Stage planStage();

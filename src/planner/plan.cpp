@@ -87,6 +87,9 @@ Plan makePlan(const project::Project& project, const scene::World& world, bool f
   if (nodes < 471 && plan.spectralBound > 0)
     plan.leftOut.push_back(
         {fmt::format("wavelengths between {} spectral samples", nodes), 100 * plan.spectralBound, "% of E"});
+  if (world.chordError > 0)
+    plan.leftOut.push_back({"the difference between splines or parametric surfaces and their facets", world.chordError,
+                            "m of their place"});
   plan.leftOut.push_back({"fluorescence, polarisation, and air (no absorption or scattering)", 0, "not modelled"});
   return plan;
 }

@@ -43,7 +43,7 @@ enum class Form {
   materials,      ///< names of the user's choice with a material each
   objects,        ///< list of objects, by shape
   partMaterials,  ///< part name -> material name
-  transform,      ///< list of {"translate"}, {"rotate"}, {"scale"}
+  transform,      ///< list of {"translate"}, {"rotate"}, {"scale"}, {"shear"}
   scale,          ///< one factor or three
   photometry,     ///< file, "diffuse", {"cosine_power": n} …
   opening,        ///< "auto", "point", {"rectangle": {…}} …
@@ -92,6 +92,7 @@ const Section& spectralSection();
 const Section& horizontalFieldSection();
 const Section& transformStepSection();
 const Section& rotationSection();
+const Section& shearSection();
 /// SPECTRUM as an object: which of its keys stand together is checked by the reader.
 const Section& spectrumSection();
 const Section& photometrySection();

@@ -131,6 +131,7 @@ Section objectSection(const geometry::ObjectType& type) {
         .help = "name of the material of all parts that \"materials\" leaves out"},
        {.name = "materials", .form = Form::partMaterials, .help = "material by part; \"*\" = all others"},
        {.name = "transform", .form = Form::transform, .help = "steps, applied one after the other"},
+       {.name = "array", .form = Form::section, .help = "several of it in rows", .section = &arraySection()},
        {.name = "facing", .form = Form::choice, .help = "inward: a room", .choices = {"outward", "inward"}}}};
   for (const core::Parameter& parameter : type.parameters) {
     section.keys.push_back({.name = parameter.key,
@@ -153,7 +154,22 @@ const Section& transformStepSection() {
         .form = Form::scale,
         .help = "one factor, or one along each axis",
         .minimum = 0,
-        .minimumIsAllowed = false}}};
+        .minimumIsAllowed = false},
+       {.name = "shear",
+        .form = Form::section,
+        .help = "move points along one axis by another",
+        .section = &shearSection()}}};
+  return section;
+}
+
+const Section& shearSection() {
+  static const Section section{"a shear",
+                               {{.name = "xy", .form = Form::number, .help = "x grows by so many y"},
+                                {.name = "xz", .form = Form::number, .help = "x grows by so many z"},
+                                {.name = "yx", .form = Form::number, .help = "y grows by so many x"},
+                                {.name = "yz", .form = Form::number, .help = "y grows by so many z"},
+                                {.name = "zx", .form = Form::number, .help = "z grows by so many x"},
+                                {.name = "zy", .form = Form::number, .help = "z grows by so many y"}}};
   return section;
 }
 
@@ -203,7 +219,7 @@ const Section& luminaireSection() {
 const Section& arraySection() {
   static const Section section{
       "an array",
-      {{.name = "counts", .form = Form::counts, .help = "luminaires along u and v", .required = true},
+      {{.name = "counts", .form = Form::counts, .help = "how many along u and v", .required = true},
        {.name = "u", .form = Form::point, .help = "step from one to the next"},
        {.name = "v", .form = Form::point, .help = "step of the second row"}}};
   return section;

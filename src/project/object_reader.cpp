@@ -29,14 +29,8 @@ const geometry::ObjectType* typeOf(const core::Value& value, Reading& reading) {
   const auto name = readText(*shape, {.name = "shape", .form = Form::text}, reading);
   if (!name) return nullptr;
   if (const geometry::ObjectType* type = geometry::findObjectType(*name)) return type;
-  const auto& planned = geometry::plannedObjectTypes();
-  if (std::find(planned.begin(), planned.end(), *name) != planned.end()) {
-    reading.notSupported(shape->position(),
-                         fmt::format("the shape \"{}\"; this version knows {}", *name, fmt::join(shapeNames(), ", ")));
-  } else {
-    reading.error(*shape, "unknown-shape",
-                  fmt::format("there is no shape \"{}\"{}", *name, core::suggestion(*name, shapeNames())));
-  }
+  reading.error(*shape, "unknown-shape",
+                fmt::format("there is no shape \"{}\"{}", *name, core::suggestion(*name, shapeNames())));
   return nullptr;
 }
 
@@ -157,6 +151,51 @@ std::optional<scene::Object> readObject(const core::Value& value, std::size_t nu
   return object;
 }
 
+/// The object, or every element of its array: of small meshes as objects of their own; large ones stay one object with
+/// copies, so that their triangles are held once.
+void addWithArray(const core::Value& value, scene::Object object, std::vector<scene::Object>& objects,
+                  Reading& reading) {
+  constexpr std::size_t mostSeparate = 100'000;  // triangles
+  constexpr double mostElements = 1e6;
+  const core::Value* array = value.find("array");
+  if (!array) {
+    objects.push_back(std::move(object));
+    return;
+  }
+  SectionReader section(*array, arraySection(), reading);
+  const auto counts = section.isObject() ? section.counts("counts") : std::nullopt;
+  if (!counts) return;
+  const auto u = section.point("u"), v = section.point("v");
+  const auto [along, across] = *counts;
+  if ((along > 1 && !u) || (across > 1 && !v)) {
+    section.refuse("counts", "missing-step",
+                   "several in a row need the step from one to the next: \"u\", and \"v\" for rows");
+    return;
+  }
+  if (double(along) * across > mostElements) {
+    section.refuse("counts", "too-many", "an array has at most a million elements");
+    return;
+  }
+  const bool separate = object.facesInward || object.shape.mesh.triangles.size() * static_cast<std::size_t>(along) *
+                                                      static_cast<std::size_t>(across) <=
+                                                  mostSeparate;
+  const core::Mat4 first = object.transform;
+  for (int j = 0; j < across; ++j) {
+    for (int i = 0; i < along; ++i) {
+      core::Mat4 place = first;
+      place[3] += glm::dvec4(double(i) * u.value_or(core::Vec3(0)) + double(j) * v.value_or(core::Vec3(0)), 0);
+      if (separate) {
+        objects.push_back(object);
+        objects.back().transform = place;
+        objects.back().name = fmt::format("{}[{},{}]", object.name, i, j);
+      } else if (i > 0 || j > 0) {
+        object.copies.push_back(place);
+      }
+    }
+  }
+  if (!separate) objects.push_back(std::move(object));
+}
+
 }  // namespace
 
 std::vector<scene::Object> readObjects(const core::Value& section, const std::vector<material::Material>& materials,
@@ -167,7 +206,9 @@ std::vector<scene::Object> readObjects(const core::Value& section, const std::ve
     return objects;
   }
   for (std::size_t i = 0; i < section.array().size(); ++i) {
-    if (auto object = readObject(section.array()[i], i, materials, reading)) objects.push_back(std::move(*object));
+    const core::Value& value = section.array()[i];
+    if (auto object = readObject(value, i, materials, reading))
+      addWithArray(value, std::move(*object), objects, reading);
   }
   return objects;
 }

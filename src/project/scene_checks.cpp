@@ -20,9 +20,11 @@ class Rooms {
   explicit Rooms(const std::vector<scene::Object>& objects) {
     Bounds all;
     for (const scene::Object& object : objects) {
-      const Bounds bounds = geometry::bounds(object.shape, object.transform);
-      all.add(bounds);
-      if (object.facesInward) rooms_.push_back(bounds);
+      for (const core::Mat4& place : scene::placesOf(object)) {
+        const Bounds bounds = geometry::bounds(object.shape, place);
+        all.add(bounds);
+        if (object.facesInward) rooms_.push_back(bounds);
+      }
     }
     hasRooms_ = !rooms_.empty();
     if (!hasRooms_) rooms_.push_back(all);
@@ -73,7 +75,10 @@ void checkEye(const Project& project, const Vec3& eye, const std::string& what, 
               core::Diagnostics& diagnostics) {
   for (const scene::Object& object : project.environment.objects) {
     if (object.facesInward || !object.shape.closed) continue;
-    if (!geometry::InsideTest(object.shape, object.transform).contains(eye)) continue;
+    const auto places = scene::placesOf(object);
+    if (std::none_of(places.begin(), places.end(),
+                     [&](const core::Mat4& place) { return geometry::InsideTest(object.shape, place).contains(eye); }))
+      continue;
     diagnostics.error(position, "inside-object",
                       fmt::format("the eye of {} lies inside \"{}\" (line {}); move it out", what, object.name,
                                   object.position.line));

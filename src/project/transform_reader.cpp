@@ -39,15 +39,31 @@ core::Mat4 readScale(const core::Value& value, const Key& key, Reading& reading)
   return matrix;
 }
 
+core::Mat4 readShear(const core::Value& value, Reading& reading) {
+  SectionReader section(value, shearSection(), reading);
+  core::Mat4 matrix(1.0);
+  if (!section.isObject()) return matrix;
+  constexpr const char* axes = "xyz";
+  for (int to = 0; to < 3; ++to)
+    for (int from = 0; from < 3; ++from)
+      if (to != from) matrix[from][to] = section.number({axes[to], axes[from]}).value_or(0);
+  if (!(std::abs(glm::determinant(core::Mat3(matrix))) > 1e-9)) {
+    reading.error(value, "flat-shear", "this shear presses everything into a plane; make its numbers smaller");
+    return core::Mat4(1.0);
+  }
+  return matrix;
+}
+
 core::Mat4 readStep(const core::Value& value, Reading& reading) {
   SectionReader step(value, transformStepSection(), reading);
   if (!step.isObject() || step.failed()) return core::Mat4(1.0);
   if (value.object().size() != 1) {
     reading.error(value, "transform-step",
-                  "a step is one of \"translate\", \"rotate\" or \"scale\"; list several in order");
+                  "a step is one of \"translate\", \"rotate\", \"scale\" or \"shear\"; list several in order");
     return core::Mat4(1.0);
   }
   if (const core::Value* rotate = step.find("rotate")) return readRotation(*rotate, reading);
+  if (const core::Value* shear = step.find("shear")) return readShear(*shear, reading);
   if (const core::Value* scale = step.find("scale"))
     return readScale(*scale, *transformStepSection().find("scale"), reading);
   return translation(step.point("translate").value_or(core::Vec3(0)));

@@ -24,7 +24,11 @@ struct Object {
   std::vector<std::uint32_t> materials;  ///< per part: index into Environment::materials
   bool facesInward = false;              ///< a room: its inside is where people are
   core::SourcePosition position;
+  std::vector<core::Mat4> copies = {};  ///< object -> world of further places of the same shape: a large array
 };
+
+/// Every place where the object stands: its transform, then its copies.
+std::vector<core::Mat4> placesOf(const Object& object);
 
 /// One luminaire (each element of an array is one).
 struct Luminaire {

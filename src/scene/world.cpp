@@ -7,6 +7,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/quadric_intersect.h"
+#include "geometry/queries.h"
 #include "geometry/revolution.h"
 
 namespace goniolux::scene {
@@ -15,6 +16,8 @@ namespace {
 using core::Mat4;
 using core::Vec3;
 using emitter::Opening;
+
+constexpr std::size_t mostFlattened = 100'000;  // triangles
 
 Vec3 transformed(const Mat4& m, const Vec3& p) {
   return Vec3(m * glm::dvec4(p, 1.0));
@@ -44,11 +47,16 @@ class Builder {
       high = glm::max(high, p);
     };
     for (const Object& object : environment_.objects) {
-      for (const Vec3& v : object.shape.mesh.vertices) include(transformed(object.transform, v));
-      for (const auto& patch : object.shape.patches) {
-        const geometry::Bounds bounds = geometry::boundsOf(patch, object.transform);
-        include(bounds.min);
-        include(bounds.max);
+      const geometry::Bounds bounds = geometry::bounds(object.shape, object.transform);
+      if (bounds.empty()) continue;
+      include(bounds.min);
+      include(bounds.max);
+      // Copies by the corners of the object's own box: cheap for thousands, and never too small.
+      const geometry::Bounds own = object.copies.empty() ? geometry::Bounds{} : geometry::bounds(object.shape);
+      for (const Mat4& place : object.copies) {
+        for (int k = 0; k < 8; ++k)
+          include(transformed(
+              place, {k & 1 ? own.max.x : own.min.x, k & 2 ? own.max.y : own.min.y, k & 4 ? own.max.z : own.min.z}));
       }
     }
     for (const Luminaire& luminaire : environment_.luminaires) include(luminaire.center);
@@ -96,8 +104,43 @@ class Builder {
       }
       partSurface.push_back(addSurface(surface));
     }
-    Mat4 toWorld = object.transform;
-    toWorld[3] -= glm::dvec4(world_.origin, 0.0);
+    world_.chordError = std::max(world_.chordError, object.shape.chordError);
+    if (isInstanced(object)) return addInstanced(object, partSurface);
+    for (Mat4 toWorld : placesOf(object)) {
+      toWorld[3] -= glm::dvec4(world_.origin, 0.0);
+      addAt(object, toWorld, partSurface);
+    }
+  }
+
+  bool isInstanced(const Object& object) const {
+    const bool emits = std::any_of(object.materials.begin(), object.materials.end(), [&](std::uint32_t material) {
+      const auto& emission = environment_.materials[material].emission;
+      return emission && emission->exitance_lm_m2 > 0;
+    });
+    return !emits && !object.copies.empty() && object.shape.patches.empty() &&
+           object.shape.mesh.triangles.size() * (object.copies.size() + 1) > mostFlattened;
+  }
+
+  void addInstanced(const Object& object, const std::vector<std::uint32_t>& partSurface) {
+    const auto& mesh = object.shape.mesh;
+    const Vec3 middle = geometry::bounds(object.shape).center();
+    InstancedMesh instanced;
+    for (const Vec3& v : mesh.vertices) instanced.vertices.push_back(v - middle);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& corner = mesh.triangles[t];
+      const Vec3 &a = mesh.vertices[corner[0]], &b = mesh.vertices[corner[1]], &c = mesh.vertices[corner[2]];
+      if (glm::length(glm::cross(b - a, c - a)) == 0) continue;
+      instanced.triangles.push_back(corner);
+      instanced.triangleSurfaces.push_back(partSurface[mesh.parts[t]]);
+    }
+    for (Mat4 place : placesOf(object)) {
+      place[3] += glm::dvec4(core::Mat3(place) * middle - world_.origin, 0.0);
+      instanced.places.push_back(place);
+    }
+    world_.instanced.push_back(std::move(instanced));
+  }
+
+  void addAt(const Object& object, const Mat4& toWorld, const std::vector<std::uint32_t>& partSurface) {
     const auto& mesh = object.shape.mesh;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& corner = mesh.triangles[t];
@@ -114,7 +157,6 @@ class Builder {
       }
     }
     for (const auto& patch : object.shape.patches) addPatch(patch, toWorld, partSurface[patch.part]);
-    world_.chordError = std::max(world_.chordError, object.shape.chordError);
   }
 
   // True when a flat opening lies in a surface of the environment (within 1e-6 of the world's size).

@@ -38,6 +38,14 @@ struct PlacedPatch {
   std::uint32_t surface = 0;
 };
 
+/// A mesh that stands in many places but is held once. Vertices are about its own middle.
+struct InstancedMesh {
+  std::vector<core::Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> triangleSurfaces;
+  std::vector<core::Mat4> places;  ///< mesh -> world
+};
+
 struct LightSource {
   std::unique_ptr<emitter::Emitter> emitter;
   std::uint32_t spectrum = 0;      ///< index into World::sourceSpectra
@@ -53,6 +61,7 @@ struct World {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> triangleSurfaces;
   std::vector<PlacedPatch> patches;
+  std::vector<InstancedMesh> instanced;  ///< large arrays; not among `triangles`
   std::vector<Surface> surfaces;
   std::vector<material::Material> materials;
   std::vector<spectrum::SpectralDistribution> sourceSpectra;
@@ -60,9 +69,10 @@ struct World {
   double chordError = 0;  ///< m, the largest of the shapes
 };
 
-/// Flattens the environment. Luminaires that are switched off (flux 0) stay as geometry and emit nothing. Zero-area
-/// triangles are left out. An opening that lies on a surface is moved towards its aim by 2e-6 of the world's radius, so
-/// that it replaces it.
+/// Flattens the environment; only the triangles of objects in so many places that these would be more than 100 000
+/// altogether stay instanced (not where their finish emits light). Luminaires that are switched off (flux 0) stay as
+/// geometry and emit nothing. Zero-area triangles are left out. An opening that lies on a surface is moved towards its
+/// aim by 2e-6 of the world's radius, so that it replaces it.
 World buildWorld(const Environment& environment);
 
 }  // namespace goniolux::scene

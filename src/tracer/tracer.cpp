@@ -16,7 +16,7 @@ using core::Vec3;
 
 namespace {
 
-constexpr unsigned triangleGeometry = 0, patchGeometry = 1;
+constexpr unsigned triangleGeometry = 0, patchGeometry = 1, firstInstance = 2;
 
 Vec3 toCanonical(const scene::PlacedPatch& patch, const Vec3& v, double w) {
   return Vec3(patch.toCanonical * glm::dvec4(v, w));
@@ -50,6 +50,7 @@ void intersectPatch(const RTCIntersectFunctionNArguments* args) {
   ray.tfar = static_cast<float>(t);
   rayhit->hit.primID = args->primID;
   rayhit->hit.geomID = args->geomID;
+  rayhit->hit.instID[0] = args->context->instID[0];
 }
 
 void occludedPatch(const RTCOccludedFunctionNArguments* args) {
@@ -74,12 +75,30 @@ RTCRay makeRay(const Vec3& origin, const Vec3& direction, double distance) {
   return ray;
 }
 
+RTCGeometry triangleGeometryOf(RTCDevice device, const std::vector<Vec3>& points,
+                               const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), points.size()));
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
+  if (vertices == nullptr || indices == nullptr) throw core::RunError("out of memory for the ray tracer's triangles");
+  for (const Vec3& v : points)
+    for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(v[axis]);
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t corner : triangle) *indices++ = corner;
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
 }  // namespace
 
 struct Tracer::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::vector<RTCScene> meshes;  // of World::instanced
   ~Embree() {
+    for (RTCScene mesh : meshes) rtcReleaseScene(mesh);
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
   }
@@ -93,19 +112,10 @@ Tracer::Tracer(const scene::World& world) : embree_(std::make_unique<Embree>()),
   embree_->device = rtcNewDevice("threads=1,start_threads=0");
   if (embree_->device == nullptr) throw core::RunError("the ray tracer could not start (Embree gave no device)");
   embree_->scene = rtcNewScene(embree_->device);
+  rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);  // no ray slips between triangles that share an edge
 
   if (!world.triangles.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                 3 * sizeof(float), world.vertices.size()));
-    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), world.triangles.size()));
-    if (vertices == nullptr || indices == nullptr) throw core::RunError("out of memory for the ray tracer's triangles");
-    for (const Vec3& v : world.vertices)
-      for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(v[axis]);
-    for (const auto& triangle : world.triangles)
-      for (const std::uint32_t corner : triangle) *indices++ = corner;
-    rtcCommitGeometry(geometry);
+    RTCGeometry geometry = triangleGeometryOf(embree_->device, world.vertices, world.triangles);
     rtcAttachGeometryByID(embree_->scene, geometry, triangleGeometry);
     rtcReleaseGeometry(geometry);
     triangleNormals_.reserve(world.triangles.size());
@@ -125,6 +135,27 @@ Tracer::Tracer(const scene::World& world) : embree_(std::make_unique<Embree>()),
     rtcAttachGeometryByID(embree_->scene, geometry, patchGeometry);
     rtcReleaseGeometry(geometry);
   }
+  for (std::uint32_t m = 0; m < world.instanced.size(); ++m) {
+    const scene::InstancedMesh& mesh = world.instanced[m];
+    RTCScene child = rtcNewScene(embree_->device);
+    embree_->meshes.push_back(child);
+    rtcSetSceneFlags(child, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry triangles = triangleGeometryOf(embree_->device, mesh.vertices, mesh.triangles);
+    rtcAttachGeometryByID(child, triangles, triangleGeometry);
+    rtcReleaseGeometry(triangles);
+    rtcCommitScene(child);
+    for (std::uint32_t p = 0; p < mesh.places.size(); ++p) {
+      RTCGeometry instance = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryInstancedScene(instance, child);
+      float columns[16];
+      for (int i = 0; i < 16; ++i) columns[i] = static_cast<float>(mesh.places[p][i / 4][i % 4]);
+      rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, columns);
+      rtcCommitGeometry(instance);
+      rtcAttachGeometryByID(embree_->scene, instance, firstInstance + static_cast<unsigned>(instances_.size()));
+      rtcReleaseGeometry(instance);
+      instances_.push_back({m, p});
+    }
+  }
   rtcCommitScene(embree_->scene);
   if (const RTCError error = rtcGetDeviceError(embree_->device); error != RTC_ERROR_NONE)
     throw core::RunError(
@@ -137,6 +168,7 @@ bool Tracer::intersect(const Vec3& origin, const Vec3& direction, Hit& hit) cons
   RTCRayHit rayhit{};
   rayhit.ray = makeRay(origin, direction, std::numeric_limits<float>::infinity());
   rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(embree_->scene, &context, &rayhit);
@@ -145,7 +177,9 @@ bool Tracer::intersect(const Vec3& origin, const Vec3& direction, Hit& hit) cons
   const std::uint32_t id = rayhit.hit.primID;
   hit.distance = rayhit.ray.tfar;
   hit.position = origin + direction * hit.distance;
-  if (rayhit.hit.geomID == triangleGeometry) {
+  if (rayhit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+    finishInstanceHit(rayhit.hit.instID[0] - firstInstance, id, hit);
+  } else if (rayhit.hit.geomID == triangleGeometry) {
     hit.primitive = id;
     hit.surface = world_.triangleSurfaces[id];
     hit.normal = triangleNormals_[id];
@@ -160,6 +194,18 @@ bool Tracer::intersect(const Vec3& origin, const Vec3& direction, Hit& hit) cons
                                 geometry::canonicalNormal(patch.patch, canonical));
   }
   return true;
+}
+
+void Tracer::finishInstanceHit(std::uint32_t instance, std::uint32_t triangle, Hit& hit) const {
+  const scene::InstancedMesh& mesh = world_.instanced[instances_[instance].mesh];
+  const core::Mat4& place = mesh.places[instances_[instance].place];
+  const auto& t = mesh.triangles[triangle];
+  const Vec3 a(place * glm::dvec4(mesh.vertices[t[0]], 1)), b(place * glm::dvec4(mesh.vertices[t[1]], 1)),
+      c(place * glm::dvec4(mesh.vertices[t[2]], 1));
+  hit.primitive = scene::none;
+  hit.surface = mesh.triangleSurfaces[triangle];
+  hit.normal = glm::normalize(glm::cross(b - a, c - a));
+  hit.position -= hit.normal * glm::dot(hit.position - a, hit.normal);
 }
 
 bool Tracer::occluded(const Vec3& origin, const Vec3& direction, double distance) const {

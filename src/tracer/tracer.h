@@ -16,7 +16,8 @@ struct Hit {
   core::Vec3 position{0};  ///< on the surface, double precision
   core::Vec3 normal{0};    ///< unit geometric normal, outward by winding (not turned towards the ray)
   std::uint32_t surface = scene::none;
-  std::uint32_t primitive = 0;  ///< triangle index, or number of triangles + patch index
+  /// Triangle index, or number of triangles + patch index; scene::none on an instanced mesh.
+  std::uint32_t primitive = 0;
 };
 
 class Tracer {
@@ -41,10 +42,16 @@ class Tracer {
   [[nodiscard]] double slack() const { return 2 * offset_; }
 
  private:
+  void finishInstanceHit(std::uint32_t instance, std::uint32_t triangle, Hit& hit) const;
+
   struct Embree;
   std::unique_ptr<Embree> embree_;
   const scene::World& world_;
   std::vector<core::Vec3> triangleNormals_;
+  struct Instance {
+    std::uint32_t mesh, place;
+  };
+  std::vector<Instance> instances_;
   double offset_;
 };
 

@@ -188,7 +188,7 @@ std::string objectsText() {
       out += fmt::format("; `{}` = `{}`", group, fmt::join(parts, "`, `"));
     out += fmt::format("{}\n\n{}", type.parts.empty() ? "" : ".", keyTable(without(sections[i].keys, shared)));
   }
-  return out + notYet(geometry::plannedObjectTypes());
+  return out;
 }
 
 std::string openingsText() {

@@ -89,23 +89,27 @@ TEST(FacesInPlane, FindTheCeilingWithinTheToleranceOnly) {
 }
 
 TEST(Inside, APointOnTheDesksTopIsNotInTheDesk) {
-  const InsideTest desk(makeBox({0, 0, 0}, {1.6, 0.8, 0.75}), Mat4(1.0));
+  const Shape deskShape = makeBox({0, 0, 0}, {1.6, 0.8, 0.75});
+  const InsideTest desk(deskShape, Mat4(1.0));
   EXPECT_FALSE(desk.contains({0.8, 0.4, 0.75}));
   EXPECT_FALSE(desk.contains({0.8, 0.4, 0.75 - 1e-9}));
   EXPECT_TRUE(desk.contains({0.8, 0.4, 0.75 - 1e-5}));
   EXPECT_FALSE(desk.contains({0.8, 0.4, 0.76}));
-  const InsideTest globe(makeSphere({0, 0, 0}, 1), scaling(1, 1, 100));
+  const Shape globeShape = makeSphere({0, 0, 0}, 1);
+  const InsideTest globe(globeShape, scaling(1, 1, 100));
   EXPECT_FALSE(globe.contains({0, 0, 100 - 1e-7}));
   EXPECT_TRUE(globe.contains({0, 0, 100 - 1e-5}));
 }
 
 TEST(Inside, AnOpenShapeHasNoInside) {
-  const InsideTest tube(makeRoundSolid({0, 0, 0}, {0, 0, 1}, 1, 1, Caps::none), Mat4(1.0));
+  const Shape tubeShape = makeRoundSolid({0, 0, 0}, {0, 0, 1}, 1, 1, Caps::none);
+  const InsideTest tube(tubeShape, Mat4(1.0));
   EXPECT_FALSE(tube.contains({0, 0, 0.5}));
 }
 
 TEST(Inside, RoundSolidsHoldTheirAxisAndNothingBesideThem) {
-  const InsideTest cone(makeRoundSolid({0, 0, 0}, {0, 0, 2}, 1, 0, Caps::both), Mat4(1.0));
+  const Shape coneShape = makeRoundSolid({0, 0, 0}, {0, 0, 2}, 1, 0, Caps::both);
+  const InsideTest cone(coneShape, Mat4(1.0));
   EXPECT_TRUE(cone.contains({0, 0, 1}));
   EXPECT_TRUE(cone.contains({0.49, 0, 1}));
   EXPECT_FALSE(cone.contains({0.51, 0, 1}));

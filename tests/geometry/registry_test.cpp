@@ -12,6 +12,7 @@
 #include "geometry/quadric_intersect.h"
 #include "geometry/queries.h"
 #include "geometry/samples.h"
+#include "geometry/tessellate.h"
 #include "support/temporary_folder.h"
 
 namespace goniolux::geometry {
@@ -65,7 +66,6 @@ TEST_F(Registry, EveryTypeHasASampleATitleAndHelpForEachKey) {
       for (const auto& part : parts) EXPECT_EQ(std::count(type.parts.begin(), type.parts.end(), part), 1) << part;
     }
   }
-  for (const std::string& planned : plannedObjectTypes()) EXPECT_EQ(findObjectType(planned), nullptr) << planned;
 }
 
 TEST_F(Registry, PartsCoverEveryFaceAndAreNamedAsPromised) {
@@ -86,9 +86,10 @@ TEST_F(Registry, PartsCoverEveryFaceAndAreNamedAsPromised) {
 
 TEST_F(Registry, AreasAreThoseOfTheClosedForms) {
   forEachSample([](const test::Sample& sample, const ObjectType&, const Shape& shape) {
-    EXPECT_NEAR(area(shape), sample.area, 1e-12 * sample.area);
-    EXPECT_NEAR(area(shape, placed(0.01, false)), 1e-4 * sample.area, 1e-15 * sample.area);
-    EXPECT_NEAR(area(shape, placed(2, true)), 4 * sample.area, 1e-11 * sample.area);
+    EXPECT_NEAR(area(shape), sample.area, sample.tolerance * sample.area);
+    EXPECT_NEAR(area(shape, placed(0.01, false)), 1e-4 * sample.area,
+                1e-4 * sample.tolerance * sample.area + 1e-15 * sample.area);
+    EXPECT_NEAR(area(shape, placed(2, true)), 4 * sample.area, 10 * sample.tolerance * sample.area);
   });
 }
 
@@ -99,10 +100,10 @@ TEST_F(Registry, ClosedShapesEncloseTheirVolumeAndFaceOutward) {
       EXPECT_TRUE(shape.closed);
     }
     if (!shape.closed) return;
-    EXPECT_NEAR(volume(shape), sample.volume, 1e-12 * sample.volume);
-    EXPECT_NEAR(volume(shape, placed(2, true)), 8 * sample.volume, 1e-11 * sample.volume);
-    EXPECT_LT(glm::length(vectorArea(shape)), 1e-12 * sample.area);
-    EXPECT_LT(glm::length(vectorArea(shape, placed(3, true))), 1e-11 * sample.area);
+    EXPECT_NEAR(volume(shape), sample.volume, sample.tolerance * sample.volume);
+    EXPECT_NEAR(volume(shape, placed(2, true)), 8 * sample.volume, 10 * sample.tolerance * sample.volume);
+    EXPECT_LT(glm::length(vectorArea(shape)), sample.tolerance * sample.area);
+    EXPECT_LT(glm::length(vectorArea(shape, placed(3, true))), 10 * sample.tolerance * sample.area);
     if (shape.patches.empty()) {
       EXPECT_TRUE(checkEdges(shape.mesh).watertight());
     }
@@ -120,14 +121,7 @@ TEST_F(Registry, BoundsHoldEveryPointOfTheSurface) {
       for (const auto vertex : t) expectInside(shape.mesh.vertices[vertex]);
     }
     for (const auto& patch : shape.patches) {
-      for (int i = 0; i < 100; ++i) {
-        const double phi = 2 * core::pi * i / 100, z = i % 11 / 10.0;
-        const bool disc = patch.kind == QuadricPatch::Kind::disc, sphere = patch.kind == QuadricPatch::Kind::sphere;
-        const double r = patch.kind == QuadricPatch::Kind::cone ? 1 + (patch.ratio - 1) * z
-                         : sphere                               ? std::sqrt(1 - z * z)
-                                                                : 1;
-        expectInside(Vec3(patch.placement * glm::dvec4(r * std::cos(phi), r * std::sin(phi), disc ? 0 : z, 1)));
-      }
+      for (const Vec3& p : tessellate(patch, 32).vertices) expectInside(p);
     }
   });
 }

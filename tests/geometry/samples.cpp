@@ -37,6 +37,43 @@ std::vector<Sample> samples(const std::filesystem::path& folder) {
                   {{"base", Vec3(1)}, {"height", 4.0}, {"axis", Vec3(1, 0, 0)}, {"radius", 3.0}, {"top_radius", 0.0}},
                   pi * 3 * 5 + pi * 9,
                   pi * 9 * 4 / 3});
+  list.push_back({"torus",
+                  "ring lamp",
+                  {{"center", Vec3(1, 2, 3)}, {"axis", Vec3(1, 2, 2)}, {"ring_radius", 0.5}, {"tube_radius", 0.1}},
+                  4 * pi * pi * 0.5 * 0.1,
+                  2 * pi * pi * 0.5 * 0.01});
+  // Prolate spheroid with half-axes 1, 1, 2, in units of 0.5 m: area 2 pi a^2 (1 + c / (a e) asin e), e^2 = 1 -
+  // a^2/c^2.
+  const double e = std::sqrt(0.75);
+  list.push_back({"quadric",
+                  "spheroid",
+                  {{"xx", 4.0},
+                   {"yy", 4.0},
+                   {"zz", 1.0},
+                   {"constant", -4.0},
+                   {"size", 0.5},
+                   {"center", Vec3(3, 0, 0)},
+                   {"min", Vec3(2, -1, -2)},
+                   {"max", Vec3(4, 1, 2)}},
+                  0.25 * 2 * pi * (1 + 2 / e * std::asin(e)),
+                  0.125 * 4 * pi / 3 * 2,
+                  1e-3});
+  // Paraboloid z = x^2 + y^2 up to z = 1: area pi/6 (5^1.5 - 1).
+  list.push_back(
+      {"quadric",
+       "reflector, open",
+       {{"xx", 1.0}, {"yy", 1.0}, {"z", -1.0}, {"size", 1.0}, {"min", Vec3(-2, -2, -1)}, {"max", Vec3(2, 2, 1)}},
+       pi / 6 * (std::pow(5, 1.5) - 1),
+       0,
+       1e-3});
+  list.push_back(
+      {"parametric",
+       "flat, of degree 3 x 1",
+       {{"control",
+         std::vector<std::vector<Vec3>>{
+             {{0, 0, 0}, {0, 2, 0}}, {{1, 0, 0}, {1, 2, 0}}, {{2, 0, 0}, {2, 2, 0}}, {{3, 0, 0}, {3, 2, 0}}}}},
+       6,
+       0});
   // Areas and volumes of revolution by Pappus: length or area of the profile times the way of its centroid.
   list.push_back({"revolution",
                   "lens",

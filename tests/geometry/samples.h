@@ -14,7 +14,8 @@ struct Sample {
   std::string type, title;
   core::Arguments arguments;
   double area = 0;
-  double volume = 0;  ///< 0 for open shapes
+  double volume = 0;         ///< 0 for open shapes
+  double tolerance = 1e-12;  ///< relative, of what our own area and volume promise
 };
 
 /// Files that samples need are written into `folder`.

@@ -192,8 +192,6 @@ TEST_F(BadInput, WrongTypesSayWhatIsExpected) {
 }
 
 TEST_F(BadInput, WhatTheFormatKnowsButThisVersionDoesNotIsSaidSo) {
-  const std::string box = "\"shape\": \"box\", \"min\": [0,0,0], \"max\": [6,4,3]";
-  expectError(changed(box, "\"shape\": \"torus\""), "\"torus\"", "not supported yet: the shape \"torus\"");
   expectError(changed("\"model\": \"lambert\"", "\"model\": \"hall\""), "\"hall\"",
               "not supported yet: the reflection model \"hall\"");
   expectError(changed("[3,2] } ]", "[3,2], \"quantity\": \"cylindrical\" } ]"), "\"cylindrical\"",
