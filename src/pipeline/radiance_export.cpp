@@ -1,9 +1,11 @@
 // The scene as Radiance files. Radiance's formats: its reference manual (refer/ray.html) and file formats page.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "geometry/inside.h"
 #include "geometry/tessellate.h"
 #include "pipeline/flux_bands.h"
 #include "pipeline/radiance_luminaire.h"
@@ -199,11 +201,19 @@ class Writer {
     }
   }
 
+  // Points inside closed objects have no value here, so they are left out there.
   void grids() {
+    std::vector<geometry::InsideTest> solids;
+    for (const scene::Object& object : project_.environment.objects)
+      if (object.shape.closed && !object.facesInward)
+        for (const Mat4& at : scene::placesOf(object)) solids.emplace_back(object.shape, at);
     for (const analysis::Grid& grid : project_.grids) {
       std::string& points = files_[project::fileNameFor(grid.name) + ".pts"];
-      for (std::size_t i = 0; i < grid.points.size(); ++i)
-        points += text(grid.points[i]) + " " + text(grid.normals[i]) + "\n";
+      for (std::size_t i = 0; i < grid.points.size(); ++i) {
+        const Vec3& p = grid.points[i];
+        if (std::none_of(solids.begin(), solids.end(), [&](const auto& solid) { return solid.contains(p); }))
+          points += text(p) + " " + text(grid.normals[i]) + "\n";
+      }
     }
   }
 
