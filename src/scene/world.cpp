@@ -309,6 +309,21 @@ class Builder {
 
 }  // namespace
 
+std::vector<geometry::Bounds> instanceBounds(const World& world) {
+  std::vector<geometry::Bounds> boxes;
+  for (const InstancedMesh& mesh : world.instanced) {
+    geometry::Bounds own;
+    for (const Vec3& v : mesh.vertices) own.add(v);
+    for (const Mat4& place : mesh.places) {
+      geometry::Bounds& box = boxes.emplace_back();
+      for (int k = 0; k < 8; ++k)
+        box.add(transformed(place, {k & 1 ? own.max.x : own.min.x, k & 2 ? own.max.y : own.min.y,
+                                    k & 4 ? own.max.z : own.min.z}));
+    }
+  }
+  return boxes;
+}
+
 World buildWorld(const Environment& environment) {
   return Builder(environment).build();
 }

@@ -75,4 +75,7 @@ struct World {
 /// aim by 2e-6 of the world's radius, so that it replaces it.
 World buildWorld(const Environment& environment);
 
+/// The box about each place of each instanced mesh, in their order.
+std::vector<geometry::Bounds> instanceBounds(const World& world);
+
 }  // namespace goniolux::scene

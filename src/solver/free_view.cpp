@@ -122,6 +122,11 @@ FreeView::FreeView(const scene::World& world) : world_(world) {
     boxes.push_back(geometry::boundsOf(patch.patch));
     patchBoxes_.push_back(boxes.back());
   }
+  // Instances by their boxes, after the patches.
+  for (const Bounds& box : scene::instanceBounds(world)) {
+    boxes.push_back(box);
+    patchBoxes_.push_back(box);
+  }
   order_.resize(boxes.size());
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.emplace_back();
@@ -176,8 +181,11 @@ bool FreeView::isFree(const Vec3& point, const Bounds& target, std::uint32_t own
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const std::uint32_t p = order_[i];
-      const std::uint32_t surface = p < triangles ? world_.triangleSurfaces[p] : world_.patches[p - triangles].surface;
-      if (world_.surfaces[surface].emitter == own) continue;
+      if (p < triangles + world_.patches.size()) {  // instances emit nothing
+        const std::uint32_t surface =
+            p < triangles ? world_.triangleSurfaces[p] : world_.patches[p - triangles].surface;
+        if (world_.surfaces[surface].emitter == own) continue;
+      }
       if (mayBlock(shaft, p)) return false;
     }
   }

@@ -34,6 +34,10 @@ double areaOf(const scene::World& world) {
     const core::Vec3 d = b.max - b.min;
     area += d.x * d.y + d.y * d.z + d.z * d.x;
   }
+  for (const geometry::Bounds& b : scene::instanceBounds(world)) {
+    const core::Vec3 d = b.max - b.min;
+    area += d.x * d.y + d.y * d.z + d.z * d.x;
+  }
   return area;
 }
 
@@ -45,6 +49,7 @@ geometry::Bounds boundsOf(const scene::World& world) {
     box.add(b.min);
     box.add(b.max);
   }
+  for (const geometry::Bounds& b : scene::instanceBounds(world)) box.add(b);
   return box;
 }
 
