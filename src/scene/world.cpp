@@ -317,8 +317,8 @@ std::vector<geometry::Bounds> instanceBounds(const World& world) {
     for (const Mat4& place : mesh.places) {
       geometry::Bounds& box = boxes.emplace_back();
       for (int k = 0; k < 8; ++k)
-        box.add(transformed(place, {k & 1 ? own.max.x : own.min.x, k & 2 ? own.max.y : own.min.y,
-                                    k & 4 ? own.max.z : own.min.z}));
+        box.add(transformed(
+            place, {k & 1 ? own.max.x : own.min.x, k & 2 ? own.max.y : own.min.y, k & 4 ? own.max.z : own.min.z}));
     }
   }
   return boxes;
