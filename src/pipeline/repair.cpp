@@ -47,7 +47,11 @@ class Repair {
     liftCoincident();
     for (const Object& object : project_.environment.objects) mend(object);
     if (!done_.empty()) {
-      for (const auto& [path, bytes] : models_) core::writeFile(path, bytes);
+      for (const auto& [path, bytes] : models_) {
+        std::error_code failure;
+        fs::create_directories(fs::path(path).parent_path(), failure);  // writeFile says what is wrong
+        core::writeFile(path, bytes);
+      }
       core::writeFile(file_, text_.text());
     }
     return done_;
