@@ -57,10 +57,15 @@ class Rays {
   void blockedLuminaires() {
     for (const scene::Luminaire& luminaire : project_.environment.luminaires) {
       const Vec3 aim = luminaire.frame.aim;
-      // From just before the opening, which itself does not count.
-      const Vec3 origin = luminaire.center - world_.origin + aim * (0.5 * depthOf(luminaire.opening) + 1e-4);
+      // From the middle of the opening out of it: what belongs to a luminaire does not count.
+      Vec3 origin = luminaire.center - world_.origin + 1e-4 * aim;
       tracer::Hit hit;
-      if (!tracer_.intersect(origin, aim, hit) || hit.distance > nearest) continue;
+      bool found = tracer_.intersect(origin, aim, hit);
+      for (int k = 0; k < 4 && found && world_.surfaces[hit.surface].object == scene::none; ++k) {
+        origin = hit.position + 1e-4 * aim;
+        found = tracer_.intersect(origin, aim, hit);
+      }
+      if (!found || hit.distance > nearest) continue;
       const std::uint32_t object = world_.surfaces[hit.surface].object;
       if (object == scene::none) continue;
       const scene::Object& blocking = project_.environment.objects[object];
@@ -73,13 +78,6 @@ class Rays {
   }
 
  private:
-  static double depthOf(const emitter::Opening& opening) {
-    using Shape = emitter::Opening::Shape;
-    if (opening.shape == Shape::box || opening.shape == Shape::cylinder) return opening.height;
-    if (opening.shape == Shape::sphere || opening.shape == Shape::tube) return opening.diameter;
-    return 0;
-  }
-
   // Where a ray leaves the box about everything.
   [[nodiscard]] Vec3 exitOf(const Vec3& origin, const Vec3& d) const {
     geometry::Bounds box;
