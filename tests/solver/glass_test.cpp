@@ -7,6 +7,7 @@
 
 #include "core/statistics.h"
 #include "geometry/objects.h"
+#include "reflection/bsdf.h"
 #include "reflection/fresnel.h"
 #include "scene/world.h"
 #include "solver/solver.h"
