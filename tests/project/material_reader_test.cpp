@@ -1,4 +1,4 @@
-// Materials of every model: keys, dispersion formulas, n and k from files, the settings of the paper's models.
+// Materials of every model: keys, dispersion formulas, n and k from files.
 #include <gtest/gtest.h>
 
 #include "project_fixture.h"
@@ -43,21 +43,6 @@ TEST_F(MaterialReader, FaultsOfAnNkFileNameItsLine) {
   expectError(
       changed("{ \"model\": \"lambert\", \"diffuse\": 0.5 }", "{ \"model\": \"dielectric\", \"ior\": \"metal.nk\" }"),
       "\"metal.nk\"", "n and k are those of a metal");
-}
-
-TEST_F(MaterialReader, ThePapersModelsAndTheirSettings) {
-  const auto varnish = materialOf(
-      "{ \"model\": \"hall\", \"diffuse\": 0.4, \"specular\": 1.0, \"gloss\": 60, \"ior\": 1.5, \"as_printed\": true "
-      "}");
-  EXPECT_EQ(varnish.numbers.at("gloss"), 60);
-  EXPECT_EQ(varnish.numbers.at("as_printed"), 1);
-  const Project project =
-      read(with("\"settings\": { \"solver\": \"tree\", \"reflection_model\": \"whitted\", \"as_printed\": true, "
-                "\"ambient\": 3 }"));
-  EXPECT_EQ(project.settings.solver, "tree");
-  EXPECT_EQ(project.settings.reflectionModel, "whitted");
-  EXPECT_TRUE(project.settings.asPrinted);
-  EXPECT_EQ(project.settings.ambient.continuum(500), 3);
 }
 
 TEST_F(MaterialReader, AnOpenBodyOfGlassIsWarnedOf) {
