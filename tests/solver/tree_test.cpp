@@ -148,7 +148,9 @@ TEST(Gallery, CutOffEndsTreesWhereItsBoundSays) {
     EXPECT_NEAR(cut.mean, row.nodes, 0.002);
     EXPECT_EQ(cut.deepest, row.deepest);
     EXPECT_LE(whole.image - cut.image, cut.discarded + 1e-6);  // the reported truncation bound holds
-    if (row.bias != 0) EXPECT_NEAR(cut.image / whole.image - 1, row.bias, 0.0001);
+    if (row.bias != 0) {
+      EXPECT_NEAR(cut.image / whole.image - 1, row.bias, 0.0001);
+    }
   }
 }
 
