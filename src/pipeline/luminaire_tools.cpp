@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/document.h"
 #include "photometry/comparison.h"
 #include "photometry/transform.h"
@@ -66,7 +68,8 @@ StageReport compareLuminaires(const std::string& nameA, const std::string& nameB
   const double fluxA = a.distribution->flux(), fluxB = b.distribution->flux();
   const double peakA = a.distribution->maximumIntensity(), peakB = b.distribution->maximumIntensity();
   const auto percent = [](double from, double to) {
-    return from > 0 ? fmt::format("{:+.2f} %", 100 * (to / from - 1)) : std::string();
+    // Rounded first: + 0.0 turns -0 into 0.
+    return from > 0 ? fmt::format("{:+.2f} %", std::round(1e4 * (to / from - 1)) / 100 + 0.0) : std::string();
   };
   const auto row = [&](const char* name, const std::string& inA, const std::string& inB, const std::string& change) {
     report.text += fmt::format("  {:<20}{:>22}  {:>22}  {:>10}\n", name, inA, inB, change);
