@@ -152,6 +152,10 @@ void checkAngles(const std::vector<double>& angles, const std::string& what, dou
 }
 
 std::shared_ptr<const TabulatedDistribution> makeDistribution(CandelaTable table, core::Diagnostics& warnings) {
+  if (table.vertical.size() < 2) {
+    throw core::InputError(table.verticalAt, "bad-count",
+                           "the table has fewer than two vertical angles; nothing can be interpolated between them");
+  }
   checkRanges(table);
   closeLateralGap(table, warnings);
   if (!horizontalSymmetry(table.type, table.horizontal)) {

@@ -97,6 +97,15 @@ TEST(Tm33, WhatIsMissingOrWrongIsRefusedAtItsLine) {
   EXPECT_EQ(refusal(twice).rule, "table-incomplete");
 }
 
+// Found by fuzzing: a table of one direction has no interval to look into.
+TEST(Tm33, ATableOfOneVerticalAngleIsRefused) {
+  const std::string one =
+      "<LuminousData><LuminousIntensity>\n<IntData h=\"90\" "
+      "v=\"90\">20</IntData>\n</LuminousIntensity></LuminousData>\n";
+  EXPECT_EQ(refusal(document(one)).rule, "bad-count");
+  EXPECT_EQ(refusal(document(one)).position.line, 6);
+}
+
 TEST(StrictReading, RefusesWhatLenientReadingOnlyWarnsOf) {
   std::string dialect = document(intensities);
   for (const char* tag : {"<IESTM33>", "</IESTM33>"})
