@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/queries.h"
-#include "reflection/models.h"
+#include "spectrum/hats.h"
 
 namespace goniolux::planner {
 namespace {
@@ -38,15 +39,48 @@ std::vector<double> areasOf(const scene::World& world) {
   return areas;
 }
 
-/// The spectra that a finish's parameters multiply light by: shares between 0 and 1, unlike indices and attenuations.
-std::vector<SpectralDistribution> factorsOf(const material::Material& material) {
+// Lengths in a medium that attenuation is looked at, as shares of the scene's radius; a stated thickness goes first.
+constexpr double lengthsInMedia[] = {0.05, 0.5};
+
+/// exp(-attenuation x length).
+SpectralDistribution transmittanceThrough(const SpectralDistribution& attenuation, double metres) {
+  if (attenuation.isFlat()) return SpectralDistribution::flat(std::exp(-attenuation.continuum(550) * metres));
+  std::vector<SpectralDistribution::Sample> samples;
+  for (double w = spectrum::visibleFrom; w <= spectrum::visibleTo; w += 1)
+    samples.push_back({w, std::exp(-attenuation.continuum(w) * metres)});
+  return SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::hold);
+}
+
+/// Fresnel's reflectance of a metal at normal incidence.
+SpectralDistribution metalReflectance(const SpectralDistribution& n, const SpectralDistribution& k) {
+  const auto at = [&](double w) {
+    const double a = n.continuum(w), b = k.continuum(w);
+    return ((a - 1) * (a - 1) + b * b) / ((a + 1) * (a + 1) + b * b);
+  };
+  if (n.isFlat() && k.isFlat()) return SpectralDistribution::flat(at(550));
+  std::vector<SpectralDistribution::Sample> samples;
+  for (double w = spectrum::visibleFrom; w <= spectrum::visibleTo; w += 1) samples.push_back({w, at(w)});
+  return SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::hold);
+}
+
+/// The spectra that a finish multiplies light by, from its parameters.
+std::vector<SpectralDistribution> factorsOf(const material::Material& material, double radius) {
   std::vector<SpectralDistribution> factors;
-  const reflection::ReflectionModel* model = reflection::findReflectionModel(material.model);
-  if (model == nullptr) return factors;
-  for (const core::Parameter& parameter : model->parameters) {
-    const auto found = material.spectra.find(parameter.key);
-    if (parameter.kind == core::ParameterKind::spectrum && parameter.maximum <= 1 && found != material.spectra.end())
-      factors.push_back(found->second);
+  for (const auto& [key, curve] : material.spectra) {
+    if (key == "k") continue;
+    if (key == "ior") {
+      const auto k = material.spectra.find("k");
+      if (k != material.spectra.end()) factors.push_back(metalReflectance(curve, k->second));
+    } else if (key == "attenuation_per_m") {
+      const auto thickness = material.numbers.find("thickness_m");
+      if (thickness != material.numbers.end()) {
+        factors.push_back(transmittanceThrough(curve, thickness->second));
+      } else {
+        for (const double share : lengthsInMedia) factors.push_back(transmittanceThrough(curve, share * radius));
+      }
+    } else if (curve.range().first >= 0 && curve.range().second <= 1) {
+      factors.push_back(curve);
+    }
   }
   return factors;
 }
@@ -58,7 +92,7 @@ std::vector<Finish> finishesOf(const scene::World& world) {
   std::vector<Finish> finishes;
   double total = 0;
   for (std::size_t i = 0; i < world.materials.size(); ++i) {
-    for (const SpectralDistribution& factor : factorsOf(world.materials[i])) {
+    for (const SpectralDistribution& factor : factorsOf(world.materials[i], world.radius)) {
       const auto same = std::find_if(finishes.begin(), finishes.end(),
                                      [&](const Finish& known) { return known.reflectance == factor; });
       if (same == finishes.end())

@@ -40,24 +40,38 @@ SpectralAllowance allowanceFor(const project::Settings& settings, bool forColour
   return allowance;
 }
 
+const spectrum::SpectralScheme& askedScheme(const project::Project& project) {
+  const auto& settings = project.settings;
+  const spectrum::SpectralScheme* scheme = spectrum::findSpectralScheme(settings.spectralScheme);
+  if (scheme == nullptr) {
+    std::vector<std::string> names = {"auto"};
+    for (const auto& known : spectrum::spectralSchemes()) names.push_back(known.name);
+    throw core::InputError({project.file, 0, 0}, "unknown-spectral-scheme",
+                           fmt::format("there is no spectral scheme \"{}\"; choose one of: {}", settings.spectralScheme,
+                                       fmt::join(names, ", ")));
+  }
+  if (settings.spectralSamples != 0 &&
+      (settings.spectralSamples < scheme->leastCount || settings.spectralSamples > scheme->mostCount))
+    throw core::InputError({project.file, 0, 0}, "spectral-samples",
+                           fmt::format("the spectral scheme \"{}\" has {} to {} samples, not {}", scheme->name,
+                                       scheme->leastCount, scheme->mostCount, settings.spectralSamples));
+  return *scheme;
+}
+
 void chooseSpectral(const project::Project& project, const scene::World& world, bool forColour, Plan& plan) {
   const auto& settings = project.settings;
   const std::vector<Finish> finishes = finishesOf(world);
   const SpectralAllowance allowance = allowanceFor(settings, forColour);
-  const int samples = settings.spectralSamples > 0 ? settings.spectralSamples : 9;
   SpectralChoice choice;
   if (settings.spectralScheme == "auto") {
     choice = chooseWavelengths(finishes, world.sourceSpectra, allowance);
-  } else if (settings.spectralScheme == "adapted") {
-    choice = adaptedWavelengths(samples, finishes, world.sourceSpectra, allowance);
-  } else if (settings.spectralScheme == "uniform") {
-    choice.quadrature = spectrum::uniformQuadrature(samples, world.sourceSpectra);
-    choice.error = SpectralErrors(finishes, world.sourceSpectra).of(choice.quadrature);
   } else {
-    throw core::InputError({project.file, 0, 0}, "unknown-spectral-scheme",
-                           fmt::format("not supported yet: spectral scheme \"{}\"; use \"auto\", \"adapted\" or "
-                                       "\"uniform\"",
-                                       settings.spectralScheme));
+    const spectrum::SpectralScheme& scheme = askedScheme(project);
+    const int samples = settings.spectralSamples > 0 ? settings.spectralSamples : scheme.defaultCount;
+    choice = wavelengthsOf(scheme, samples, finishes, world.sourceSpectra, allowance);
+    if (scheme.distorts)
+      plan.leftOut.push_back({"what \"" + scheme.name + "\" loses: it is a control case, not for photometric numbers",
+                              0, "see the bound of its spectral samples"});
   }
   plan.quadrature = std::move(choice.quadrature);
   plan.spectralBound = choice.error.illuminance;

@@ -45,12 +45,13 @@ std::vector<LightPath> fittedPaths(const SpectralErrors& errors, const SpectralA
 
 }  // namespace
 
-SpectralChoice adaptedWavelengths(int count, const std::vector<Finish>& finishes,
-                                  const std::vector<spectrum::SpectralDistribution>& sources,
-                                  const SpectralAllowance& allowance) {
+SpectralChoice wavelengthsOf(const spectrum::SpectralScheme& scheme, int count, const std::vector<Finish>& finishes,
+                             const std::vector<spectrum::SpectralDistribution>& sources,
+                             const SpectralAllowance& allowance) {
   const SpectralErrors errors(finishes, sources);
+  const std::vector<LightPath> paths = fittedPaths(errors, allowance);
   SpectralChoice choice;
-  choice.quadrature = spectrum::adaptedQuadrature(count, errors.control(), fittedPaths(errors, allowance));
+  choice.quadrature = scheme.make({count, sources, errors.control(), paths});
   choice.error = errors.of(choice.quadrature);
   return choice;
 }

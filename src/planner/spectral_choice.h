@@ -4,6 +4,7 @@
 #include <string>
 
 #include "planner/spectral_error.h"
+#include "spectrum/schemes.h"
 #include "spectrum/spectral_quadrature.h"
 
 namespace goniolux::planner {
@@ -26,9 +27,10 @@ SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
                                  const std::vector<spectrum::SpectralDistribution>& sources,
                                  const SpectralAllowance& allowance);
 
-/// Adapted nodes, as many as asked for; the allowance tells what to favour.
-SpectralChoice adaptedWavelengths(int count, const std::vector<Finish>& finishes,
-                                  const std::vector<spectrum::SpectralDistribution>& sources,
-                                  const SpectralAllowance& allowance);
+/// A scheme by name (spectrum/schemes.h) with a number of samples that it can have; the allowance tells adapted nodes
+/// what to favour.
+SpectralChoice wavelengthsOf(const spectrum::SpectralScheme& scheme, int count, const std::vector<Finish>& finishes,
+                             const std::vector<spectrum::SpectralDistribution>& sources,
+                             const SpectralAllowance& allowance);
 
 }  // namespace goniolux::planner

@@ -24,13 +24,6 @@ std::vector<std::vector<double>> reflectancesAt(const std::vector<Finish>& finis
   return values;
 }
 
-Response responseOf(const std::vector<Response>& weights, const std::vector<double>& transmittance) {
-  Response sum{};
-  for (std::size_t k = 0; k < weights.size(); ++k)
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weights[k][c] * transmittance[k];
-  return sum;
-}
-
 spectrum::Xyz xyz(const Response& response) {
   return {response[0], response[1], response[2]};
 }
@@ -45,7 +38,7 @@ SpectralErrors::SpectralErrors(const std::vector<Finish>& finishes,
       fine_(paths_.transmittances(reflectancesAt(finishes, control_))) {
   for (const auto& weights : control_.weights) {
     auto& responses = exact_.emplace_back();
-    for (const auto& path : fine_) responses.push_back(responseOf(weights, path));
+    for (const auto& path : fine_) responses.push_back(spectrum::responseOf(weights, path));
   }
 }
 
@@ -55,9 +48,9 @@ SpectralError SpectralErrors::of(const spectrum::SpectralQuadrature& quadrature)
   SpectralError worst;
   for (std::size_t s = 0; s < exact_.size(); ++s) {
     const auto& weights = quadrature.weights[s];
-    const Response light = responseOf(weights, unreflected);
+    const Response light = spectrum::responseOf(weights, unreflected);
     for (std::size_t j = 0; j < coarse.size(); ++j) {
-      const Response &exact = exact_[s][j], found = responseOf(weights, coarse[j]);
+      const Response &exact = exact_[s][j], found = spectrum::responseOf(weights, coarse[j]);
       const double error = std::abs(found[1] - exact[1]) / std::max(exact[1], spectrum::darkestShare * light[1]);
       if (paths_.seen(j) == LightPaths::Seen::byGrid) {
         worst.illuminance = std::max(worst.illuminance, error);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/solver.h"
+#include "spectrum/schemes.h"
 
 namespace goniolux::project {
 namespace {
@@ -24,6 +25,12 @@ std::vector<std::string> plannedSolvers() {
 
 Key limitKey(const char* name, const char* help) {
   return {.name = name, .form = Form::section, .help = help, .section = &limitSection()};
+}
+
+std::vector<std::string> spectralSchemeNames() {
+  std::vector<std::string> names = {"auto"};
+  for (const spectrum::SpectralScheme& scheme : spectrum::spectralSchemes()) names.push_back(scheme.name);
+  return names;
 }
 
 }  // namespace
@@ -250,7 +257,7 @@ const Section& spectralSection() {
         .form = Form::choice,
         .help = "how wavelengths are chosen",
         .required = true,
-        .choices = {"auto", "adapted", "uniform"}},
+        .choices = spectralSchemeNames()},
        {.name = "samples", .form = Form::integer, .help = "wavelengths", .minimum = 1, .maximum = 471}}};
   return section;
 }

@@ -16,6 +16,8 @@ namespace {
 // Pull towards the weights of linear interpolation, as a share of the mean diagonal of the normal equations: decides
 // where the paths leave it open.
 constexpr double pullToHats = 1e-7;
+// Mean squared error, in tolerances, at which there is nothing left to improve.
+constexpr double negligible = 1e-8;
 
 // Weights of one channel of one source: sum_k W_k T_j(lambda_k) shall be response_j for all paths j, and sum_k W_k =
 // white.
@@ -55,6 +57,7 @@ class Search {
         least = reached;
         best = nodes_;
       }
+      if (least < negligible) break;
     }
     nodes_ = best;
     return result();
@@ -121,7 +124,7 @@ class Search {
     for (std::size_t k = 0; k < n_; ++k) replace(k, nodes_[k]);
     double misfit = misfitOfNodes();
     for (const std::size_t step : {32, 16, 8, 4, 2, 1}) {
-      for (bool moved = true; moved;) {
+      for (bool moved = true; moved && misfit > negligible;) {
         moved = false;
         for (std::size_t k = 0; k < n_; ++k) {
           for (const bool up : {false, true}) {

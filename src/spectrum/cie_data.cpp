@@ -32,6 +32,23 @@ SpectralDistribution column(const core::EmbeddedTable& source, std::size_t index
   return SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::zero);
 }
 
+Observer observerOf(std::string_view name) {
+  const auto& source = table(name);
+  return {column(source, 1), column(source, 2), column(source, 3)};
+}
+
+// One per column; the ends go on.
+std::vector<SpectralDistribution> reflectancesOf(std::string_view name) {
+  const auto& source = table(name);
+  std::vector<SpectralDistribution> list;
+  for (std::size_t i = 1; i < source.columns.size(); ++i) {
+    const auto factor = column(source, i);
+    list.push_back(SpectralDistribution::sampled({factor.samples().begin(), factor.samples().end()},
+                                                 SpectralDistribution::Outside::hold));
+  }
+  return list;
+}
+
 template <typename Function>
 SpectralDistribution eachNanometre(Function function) {
   std::vector<SpectralDistribution::Sample> samples;
@@ -60,16 +77,28 @@ bool sameIgnoringCase(std::string_view a, std::string_view b) {
 }  // namespace
 
 const Observer& cie1931() {
-  static const Observer observer = [] {
-    const auto& source = table("cie1931_2deg");
-    return Observer{column(source, 1), column(source, 2), column(source, 3)};
-  }();
+  static const Observer observer = observerOf("cie1931_2deg");
   return observer;
 }
 
-const SpectralDistribution& melanopicAction() {
-  static const SpectralDistribution action = column(table("melanopic"), 1);
-  return action;
+const Observer& cie1964() {
+  static const Observer observer = observerOf("cie1964_10deg");
+  return observer;
+}
+
+const SpectralDistribution& alphaOpicAction(AlphaOpic response) {
+  static const std::vector<SpectralDistribution> actions = [] {
+    const auto& source = table("alpha_opic");
+    std::vector<SpectralDistribution> list;
+    for (std::size_t i = 1; i < source.columns.size(); ++i) list.push_back(column(source, i));
+    return list;
+  }();
+  return actions[static_cast<std::size_t>(response)];
+}
+
+double alphaOpicEfficacyOfD65(AlphaOpic response) {
+  constexpr double ofD65[] = {0.8173, 1.4558, 1.6289, 1.4497, 1.3262};  // CIE S 026:2018, Table 3
+  return ofD65[static_cast<std::size_t>(response)];
 }
 
 const SpectralDistribution& scotopicEfficiency() {
@@ -78,16 +107,12 @@ const SpectralDistribution& scotopicEfficiency() {
 }
 
 const std::vector<SpectralDistribution>& testColours() {
-  static const std::vector<SpectralDistribution> samples = [] {
-    const auto& source = table("test_colours");
-    std::vector<SpectralDistribution> list;
-    for (std::size_t i = 1; i < source.columns.size(); ++i) {
-      const auto factor = column(source, i);
-      list.push_back(SpectralDistribution::sampled({factor.samples().begin(), factor.samples().end()},
-                                                   SpectralDistribution::Outside::hold));
-    }
-    return list;
-  }();
+  static const std::vector<SpectralDistribution> samples = reflectancesOf("test_colours");
+  return samples;
+}
+
+const std::vector<SpectralDistribution>& colourEvaluationSamples() {
+  static const std::vector<SpectralDistribution> samples = reflectancesOf("colour_evaluation_samples");
   return samples;
 }
 

@@ -19,8 +19,16 @@ struct Observer {
 };
 const Observer& cie1931();
 
-/// Melanopic action spectrum s_mel (CIE S 026:2018), 380-780 nm.
-const SpectralDistribution& melanopicAction();
+/// CIE 1964 10-degree colour-matching functions, 360-830 nm at 1 nm (CIE 015:2018).
+const Observer& cie1964();
+
+/// Action spectra of CIE S 026:2018, 380-780 nm, and the efficacy of each for D65, mW/lm.
+enum class AlphaOpic { sCone, mCone, lCone, rhodopic, melanopic };
+const SpectralDistribution& alphaOpicAction(AlphaOpic response);
+double alphaOpicEfficacyOfD65(AlphaOpic response);
+inline const SpectralDistribution& melanopicAction() {
+  return alphaOpicAction(AlphaOpic::melanopic);
+}
 
 /// Spectral luminous efficiency for scotopic vision V'(lambda), 380-780 nm; its maximum luminous efficacy is in lm/W
 /// (CIE 018:2019).
@@ -29,6 +37,8 @@ inline constexpr double maximumScotopicEfficacy = 1700.05;
 
 /// Radiance factors of test colour samples 1 to 14, in order — CIE 13.3-1995.
 const std::vector<SpectralDistribution>& testColours();
+/// Radiance factors of the 99 colour evaluation samples — CIE 224:2017, ANSI/IES TM-30-20.
+const std::vector<SpectralDistribution>& colourEvaluationSamples();
 
 /// Built-in illuminants and lamps: "CIE A", "CIE D50", "CIE D65", "CIE E", "CIE FL1".."CIE FL12", "CIE LED-B1", "CIE
 /// HP1" … Relative spectral power. nullopt for an unknown name; illuminantNames() lists all.

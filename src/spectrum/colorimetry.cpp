@@ -30,9 +30,8 @@ double response(const SpectralDistribution& source, const SpectralDistribution& 
   return sum;
 }
 
-Xyz responses(const SpectralDistribution& source, const SpectralDistribution& reflectance) {
+Xyz responses(const SpectralDistribution& source, const SpectralDistribution& reflectance, const Observer& observer) {
   const double step = summationStep(source);
-  const Observer& observer = cie1931();
   return {response(source, reflectance, step, observer.xbar), response(source, reflectance, step, observer.ybar),
           response(source, reflectance, step, observer.zbar)};
 }
@@ -67,19 +66,32 @@ double summationStep(const SpectralDistribution& source) {
   return step;
 }
 
-Xyz tristimulus(const SpectralDistribution& source) {
-  return responses(source, SpectralDistribution::flat(1));
+Xyz tristimulus(const SpectralDistribution& source, const Observer& observer) {
+  return responses(source, SpectralDistribution::flat(1), observer);
 }
 
-Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribution& source) {
-  const auto [X, Y, Z] = responses(source, reflectance);
-  const double white = tristimulus(source).Y;
+Xyz tristimulus(const SpectralDistribution& source) {
+  return tristimulus(source, cie1931());
+}
+
+Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribution& source, const Observer& observer) {
+  const auto [X, Y, Z] = responses(source, reflectance, observer);
+  const double white = tristimulus(source, observer).Y;
   return {X / white, Y / white, Z / white};
 }
 
+Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribution& source) {
+  return tristimulus(reflectance, source, cie1931());
+}
+
+double alphaOpicDer(const SpectralDistribution& source, AlphaOpic response) {
+  const double perLumen = 1000 * source.integral(alphaOpicAction(response)) /
+                          (maximumLuminousEfficacy * source.integral(cie1931().ybar));  // mW/lm
+  return perLumen / alphaOpicEfficacyOfD65(response);
+}
+
 double melanopicDer(const SpectralDistribution& source) {
-  constexpr double ofD65 = 1.3262e-3;  // W/lm — CIE S 026:2018
-  return source.integral(melanopicAction()) / (maximumLuminousEfficacy * source.integral(cie1931().ybar)) / ofD65;
+  return alphaOpicDer(source, AlphaOpic::melanopic);
 }
 
 double scotopicPhotopicRatio(const SpectralDistribution& source) {

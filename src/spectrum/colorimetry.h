@@ -1,11 +1,15 @@
-// Colorimetry: tristimulus values, chromaticity and correlated colour temperature for the CIE 1931 observer.
+// Colorimetry: tristimulus values, chromaticity, correlated colour temperature; the CIE 1931 observer where no other is
+// named.
 #pragma once
 
 #include "spectrum/spectral_distribution.h"
 
 namespace goniolux::spectrum {
 
-/// CIE 1931 tristimulus values; the scale (Y = 1, 100 or cd/m2) is the caller's.
+struct Observer;
+enum class AlphaOpic;
+
+/// Tristimulus values; the scale (Y = 1, 100 or cd/m2) is the caller's.
 struct Xyz {
   double X = 0, Y = 0, Z = 0;
 };
@@ -27,13 +31,16 @@ double summationStep(const SpectralDistribution& source);
 /// Tristimulus values of a source: sum or integral over 360-830 nm of power times colour-matching function, as
 /// summationStep says. Lines add to either.
 Xyz tristimulus(const SpectralDistribution& source);
+Xyz tristimulus(const SpectralDistribution& source, const Observer& observer);
 /// Tristimulus values of a reflectance (or transmittance) under a source, by the same rule; Y = 1 for the perfect
 /// diffuser.
 Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribution& source);
+Xyz tristimulus(const SpectralDistribution& reflectance, const SpectralDistribution& source, const Observer& observer);
 
-/// Melanopic daylight (D65) efficacy ratio: melanopic efficacy of luminous radiation over D65's 1.3262 mW/lm; melanopic
+/// alpha-opic daylight (D65) efficacy ratio: alpha-opic efficacy of luminous radiation over D65's; the alpha-opic
 /// equivalent daylight illuminance is illuminance times this — CIE S 026:2018. Integrated exactly (the standard's
 /// toolbox works at 1 nm). The source must have luminous power.
+double alphaOpicDer(const SpectralDistribution& source, AlphaOpic response);
 double melanopicDer(const SpectralDistribution& source);
 
 /// S/P ratio: scotopic over photopic luminous flux, integrated exactly. The source must have luminous power.

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 #include "spectrum/cie_data.h"
 #include "spectrum/colorimetry.h"
+#include "spectrum/reference_illuminant.h"
 
 namespace goniolux::spectrum {
 namespace {
@@ -30,21 +29,13 @@ std::array<double, 3> uvw(const Uv& uv, double Y, const Uv& white) {
   return {13 * W * (uv.u - white.u), 13 * W * (uv.v - white.v), W};
 }
 
-// At the wavelengths of a source that is summed, so that test and reference share the errors of summation.
-SpectralDistribution referenceFor(const SpectralDistribution& source, double kelvin) {
-  auto reference = kelvin < 5000 ? blackbody(kelvin) : daylight(std::min(kelvin, 25000.0));
-  if (summationStep(source) == 0) return reference;
-  std::vector<SpectralDistribution::Sample> samples;
-  for (const auto& [wavelength, power] : source.samples())
-    samples.push_back({wavelength, reference.continuum(wavelength)});
-  return SpectralDistribution::sampled(std::move(samples), SpectralDistribution::Outside::zero);
-}
-
 }  // namespace
 
 ColourRendering colourRendering(const SpectralDistribution& source) {
   const Xyz light = tristimulus(source);
-  const SpectralDistribution reference = referenceFor(source, colourTemperature(light).kelvin);
+  const double kelvin = colourTemperature(light).kelvin;
+  const SpectralDistribution reference =
+      atWavelengthsOf(source, kelvin < 5000 ? blackbody(kelvin) : daylight(std::min(kelvin, 25000.0)));
   const Uv k = uvOf(light), r = uvOf(tristimulus(reference));
   ColourRendering result;
   for (std::size_t i = 0; i < result.special.size(); ++i) {

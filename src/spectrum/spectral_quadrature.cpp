@@ -61,6 +61,14 @@ void solve(std::vector<double>& diagonal, const std::vector<double>& beside, std
 
 }  // namespace
 
+Response responseOf(const std::vector<Response>& weights, const std::vector<double>& transmittance) {
+  Response sum{};
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weights[k][c] * transmittance[k];
+  }
+  return sum;
+}
+
 SpectralQuadrature flatQuadrature(const std::vector<SpectralDistribution>& sources) {
   return quadrature("flat:1", {550}, sources);
 }
@@ -99,6 +107,15 @@ std::vector<double> atNodes(const SpectralDistribution& distribution, const Spec
     for (const double wavelength : nodes) samples.push_back(distribution.continuum(wavelength));
     return samples;
   }
+  if (quadrature.values == NodeValues::weighed) {
+    std::vector<double> means(count, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Sensor& sensor = quadrature.sensors[k];
+      for (std::size_t i = 0; i < sensor.weights.size(); ++i)
+        means[k] += sensor.weights[i] * distribution.continuum(sensor.wavelengths[i]);
+    }
+    return means;
+  }
   const auto range = distribution.range();
   if (distribution.isFlat()) return std::vector<double>(count, range.first);
 
@@ -118,10 +135,12 @@ std::vector<double> atNodes(const SpectralDistribution& distribution, const Spec
   solve(diagonal, beside, v);
   // Both the fit and the means keep the integral of the distribution times the weight, so any mixture of them does.
   const double lowest = std::min(0.0, range.first), highest = std::max(1.0, range.second);
+  constexpr double rounding = 1e-9;
   double fitted = 1;
   for (std::size_t k = 0; k < count; ++k) {
-    if (v[k] < lowest) fitted = std::min(fitted, (mean[k] - lowest) / (mean[k] - v[k]));
-    if (v[k] > highest) fitted = std::min(fitted, (highest - mean[k]) / (v[k] - mean[k]));
+    // Beyond rounding only: where the mean itself is at the limit the quotient would be 0 / 0.
+    if (v[k] < lowest - rounding) fitted = std::min(fitted, std::max(0.0, (mean[k] - lowest) / (mean[k] - v[k])));
+    if (v[k] > highest + rounding) fitted = std::min(fitted, std::max(0.0, (highest - mean[k]) / (v[k] - mean[k])));
   }
   for (std::size_t k = 0; k < count; ++k) v[k] = std::clamp(mean[k] + fitted * (v[k] - mean[k]), lowest, highest);
   return v;

@@ -26,6 +26,12 @@ using Response = std::array<double, responseChannels>;
 enum class NodeValues {
   fitted,   ///< least-squares fit of hats, see atNodes(): for weights that stand for linear interpolation
   sampled,  ///< its value at the node's wavelength: products of reflectances then are exact at the nodes
+  weighed,  ///< its mean under the node's sensor: the "colour" of tristimulus schemes
+};
+
+/// What a node of NodeValues::weighed sees: sum of weights[i] times the value at wavelengths[i]; the weights sum to 1.
+struct Sensor {
+  std::vector<double> wavelengths, weights;
 };
 
 struct SpectralQuadrature {
@@ -33,7 +39,11 @@ struct SpectralQuadrature {
   std::vector<double> wavelengths;             ///< nm, ascending; size N >= 1
   std::vector<std::vector<Response>> weights;  ///< [source][node]
   NodeValues values = NodeValues::fitted;
+  std::vector<Sensor> sensors;  ///< per node for NodeValues::weighed, else empty
 };
+
+/// Response of a light path whose transmittance at the nodes is given, to a source's weights.
+Response responseOf(const std::vector<Response>& weights, const std::vector<double>& transmittance);
 
 /// One node for scenes in which every reflectance and transmittance is flat; otherwise `count` equally spaced nodes
 /// over 400-700 nm (360-830 nm from 81 nodes on). `sources`: relative spectral power of each source; a source without
@@ -46,7 +56,8 @@ SpectralQuadrature uniformQuadrature(int count, const std::vector<SpectralDistri
 /// it and not the mean of its neighbours; two lines within one nanometre get a node each.
 SpectralQuadrature controlQuadrature(const std::vector<SpectralDistribution>& sources);
 
-/// Reflectance or transmittance at the nodes: its samples there for NodeValues::sampled, else the values whose linear
+/// Reflectance or transmittance at the nodes: its samples there for NodeValues::sampled, what the sensors see for
+/// NodeValues::weighed (which can be negative for a sensor that can), else the values whose linear
 /// interpolation comes closest to the distribution in the sense of least squares, weighted by what the observer sees
 /// (xbar + ybar + zbar; ybar alone for a single node). A straight line is met exactly, narrow features are not stepped
 /// over, and the seen mean is kept. Where the fit would leave [0, 1] it is drawn towards the means under the hats,

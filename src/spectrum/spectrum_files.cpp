@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "core/document.h"
@@ -116,7 +117,27 @@ void checkQuantity(const SpectrumTable& table, Role role, core::Diagnostics& dia
   }
 }
 
+// A step far wider than the others' is a hole in the data, unless the whole table is coarse.
+void warnOfHoles(const SpectrumTable& table, core::Diagnostics& warnings) {
+  constexpr double wide = 25, ratio = 4;  // nm; times the usual step
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < table.rows.size(); ++i)
+    steps.push_back(table.rows[i].wavelength - table.rows[i - 1].wavelength);
+  std::vector<double> sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] <= wide || steps[i] <= ratio * usual) continue;
+    warnings.warning(
+        table.rows[i + 1].wavelengthAt, "gap",
+        fmt::format("nothing stands between {} and {} nm, where the usual step is {} nm: a straight line is drawn; "
+                    "fill in what is missing",
+                    table.rows[i].wavelength, table.rows[i + 1].wavelength, usual));
+  }
+}
+
 void warnOfGaps(const SpectrumTable& table, const std::string& name, Role role, core::Diagnostics& warnings) {
+  warnOfHoles(table, warnings);
   const double from = table.rows.front().wavelength, to = table.rows.back().wavelength;
   if (from <= 400 && to >= 700) return;
   warnings.warning({name, 0, 0}, "range",

@@ -22,8 +22,8 @@ enum class Role {
 };
 
 /// Throws core::InputError that lists every fault with line and column: what is no number, wavelengths that do not
-/// ascend, values out of bounds or that look like percent. Doubts (noise below zero that is cut off, wavelengths
-/// missing at the ends of 400-700 nm) go to `warnings` where given.
+/// ascend, values out of bounds or that look like percent. Doubts (noise below zero that is cut off, holes in the
+/// table, wavelengths missing at the ends of 400-700 nm) go to `warnings` where given.
 SpectralDistribution readSpectrumFile(const std::string& path, Role role, core::Diagnostics* warnings = nullptr);
 
 /// The same from text in memory; `name` stands in the messages, and its ending (.spdx) decides the format.

@@ -177,6 +177,67 @@ TEST(SpectralChoice, BoundHoldsInTwoHundredRandomRooms) {
   EXPECT_LE(median(ratioColour), 3);
 }
 
+TEST(SpectralChoice, ColourBoundHoldsForTwoHundredSourcesThroughFilters) {
+  // Two or three filters in the beam of a real source; the truth is integrated exactly between all knots.
+  std::mt19937 random(2026);
+  std::vector<double> ratio;
+  int held = 0, scenes = 0;
+  double worstTrue = 0;
+  const auto names = spectrum::illuminantNames();
+  const auto chosen = [&](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+  };
+  for (; scenes < 200; ++scenes) {
+    const std::vector<SpectralDistribution> sources{spectrum::illuminant(names[chosen(names.size())]).value()};
+    const std::size_t count = 2 + chosen(2);
+    std::vector<Finish> filters;
+    for (std::size_t i = 0; i < count; ++i)
+      filters.push_back({reflectances()[chosen(reflectances().size())], 1.0 / static_cast<double>(count)});
+    SpectralAllowance allowance;
+    allowance.pictures = true;
+    const SpectralChoice choice = chooseWavelengths(filters, sources, allowance);
+    const auto exact = [&](const SpectralDistribution& a, const SpectralDistribution& b) {
+      // Source x observer on a grid of 0.25 nm, the filters interpolated there.
+      spectrum::Xyz sum;
+      for (int i = 0; i <= 1880; ++i) {
+        const double w = 360 + 0.25 * i;
+        const double light = sources[0].continuum(w) * a.continuum(w) * b.continuum(w);
+        sum.X += light * spectrum::cie1931().xbar.continuum(w);
+        sum.Y += light * spectrum::cie1931().ybar.continuum(w);
+        sum.Z += light * spectrum::cie1931().zbar.continuum(w);
+      }
+      return sum;
+    };
+    const auto one = SpectralDistribution::flat(1);
+    const spectrum::Xyz light = exact(one, one);
+    const auto relative = [&](const spectrum::Xyz& c) {
+      return spectrum::Xyz{c.X / light.Y, c.Y / light.Y, c.Z / light.Y};
+    };
+    double error = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = i; j <= count; ++j) {  // j == count: filter i alone
+        const auto& second = j == count ? one : filters[j].reflectance;
+        auto values = spectrum::atNodes(filters[i].reflectance, choice.quadrature);
+        const auto other = spectrum::atNodes(second, choice.quadrature);
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] *= other[k];
+        const Response found = spectrum::responseOf(choice.quadrature.weights[0], values);
+        error = std::max(error, spectrum::deltaE2000(
+                                    spectrum::lab({found[0], found[1], found[2]}, relative(light)),
+                                    spectrum::lab(relative(exact(filters[i].reflectance, second)), relative(light))));
+      }
+    }
+    const bool holds = error <= choice.error.colour;
+    held += holds ? 1 : 0;
+    EXPECT_TRUE(holds) << "scene " << scenes << ": " << error << " against " << choice.error.colour;
+    ratio.push_back(choice.error.colour / error);
+    worstTrue = std::max(worstTrue, error);
+  }
+  std::printf("sources through filters: bound holds in %d of %d; bound / true error, median %.2f; largest true %.2f\n",
+              held, scenes, median(ratio), worstTrue);
+  EXPECT_LE(median(ratio), 3);
+  EXPECT_LE(worstTrue, 1) << "what was asked for";
+}
+
 TEST(SpectralChoice, GreyRoomTravelsOnOneWavelength) {
   const SpectralChoice choice =
       chooseWavelengths({{SpectralDistribution::flat(0.2), 0.5}, {SpectralDistribution::flat(0.7), 0.5}},

@@ -27,14 +27,6 @@ double step(double wavelength, double centre, double width) {
   return 1 / (1 + std::exp(-(wavelength - centre) / width));
 }
 
-Response total(const std::vector<Response>& weights, const std::vector<double>& transmittance) {
-  Response sum{};
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weights[k][c] * transmittance[k];
-  }
-  return sum;
-}
-
 std::vector<double> product(const std::vector<SpectralDistribution>& filters, const SpectralQuadrature& quadrature) {
   std::vector<double> result(quadrature.wavelengths.size(), 1.0);
   for (const auto& filter : filters) {
@@ -68,7 +60,7 @@ TEST(ControlQuadrature, GivesTheOverlapOfTwoFiltersAsAnIndependentCalculationDoe
   // between the nanometres; that makes 1e-4 of the value.
   const auto control = controlQuadrature({illuminant("CIE D65").value()});
   const OverlappingFilters filters;
-  const Response overlap = total(control.weights[0], product({filters.first, filters.second}, control));
+  const Response overlap = responseOf(control.weights[0], product({filters.first, filters.second}, control));
   EXPECT_NEAR(100 * overlap[0], 16.439, 2e-4 * 16.439);
   EXPECT_NEAR(100 * overlap[1], 36.618, 2e-4 * 36.618);
   EXPECT_NEAR(100 * overlap[2], 6.804, 2e-4 * 6.804);
@@ -96,8 +88,8 @@ TEST(AdaptedQuadrature, WhiteIsExactAndNoWeightIsNegative) {
     ASSERT_EQ(quadrature.wavelengths.size(), static_cast<std::size_t>(count));
     EXPECT_TRUE(std::is_sorted(quadrature.wavelengths.begin(), quadrature.wavelengths.end()));
     for (std::size_t s = 0; s < sources.size(); ++s) {
-      const Response found = total(quadrature.weights[s], std::vector<double>(quadrature.wavelengths.size(), 1.0));
-      const Response exact = total(control.weights[s], std::vector<double>(control.wavelengths.size(), 1.0));
+      const Response found = responseOf(quadrature.weights[s], std::vector<double>(quadrature.wavelengths.size(), 1.0));
+      const Response exact = responseOf(control.weights[s], std::vector<double>(control.wavelengths.size(), 1.0));
       for (std::size_t c = 0; c < found.size(); ++c) EXPECT_NEAR(found[c], exact[c], 1e-9 * exact[c] + 1e-12);
       for (const Response& weight : quadrature.weights[s])
         EXPECT_GE(*std::min_element(weight.begin(), weight.end()), 0);
@@ -110,10 +102,10 @@ TEST(AdaptedQuadrature, FiveWavelengthsGiveTheOverlapOfTwoFiltersWhereNineEvenOn
   for (const char* name : {"CIE D65", "CIE FL11"}) {
     const std::vector<SpectralDistribution> sources{illuminant(name).value()};
     const auto control = controlQuadrature(sources);
-    const Response white = total(control.weights[0], std::vector<double>(control.wavelengths.size(), 1.0));
-    const Response exact = total(control.weights[0], product({filters.first, filters.second}, control));
+    const Response white = responseOf(control.weights[0], std::vector<double>(control.wavelengths.size(), 1.0));
+    const Response exact = responseOf(control.weights[0], product({filters.first, filters.second}, control));
     const auto error = [&](const SpectralQuadrature& q) {
-      return colourError(total(q.weights[0], product({filters.first, filters.second}, q)), exact, white);
+      return colourError(responseOf(q.weights[0], product({filters.first, filters.second}, q)), exact, white);
     };
     EXPECT_LT(error(adaptedQuadrature(5, control, pathsOf(filters.paths, control))), 0.1) << name;
     EXPECT_GT(error(uniformQuadrature(9, sources)), 0.3) << name;
@@ -127,7 +119,7 @@ TEST(AdaptedQuadrature, SodiumThroughANotchNeedsOneWavelengthItsOwn) {
   const auto control = controlQuadrature({sodium});
   const auto quadrature = adaptedQuadrature(1, control, pathsOf({{notch}}, control));
   ASSERT_EQ(quadrature.wavelengths, std::vector<double>{589.3});
-  EXPECT_NEAR(total(quadrature.weights[0], atNodes(notch, quadrature))[1], 0.05, 5e-5);
+  EXPECT_NEAR(responseOf(quadrature.weights[0], atNodes(notch, quadrature))[1], 0.05, 5e-5);
 }
 
 TEST(AdaptedQuadrature, PathsThatWereNotGivenStayBetweenTheirExtremes) {
@@ -135,7 +127,7 @@ TEST(AdaptedQuadrature, PathsThatWereNotGivenStayBetweenTheirExtremes) {
   const auto control = controlQuadrature(sources);
   const auto quadrature = adaptedQuadrature(4, control, pathsOf(OverlappingFilters().paths, control));
   const auto comb = curve([](double w) { return 0.5 + 0.3 * std::sin(w / 7); });
-  const Response found = total(quadrature.weights[0], atNodes(comb, quadrature));
+  const Response found = responseOf(quadrature.weights[0], atNodes(comb, quadrature));
   EXPECT_GE(found[1], 0.2);
   EXPECT_LE(found[1], 0.8);
 }

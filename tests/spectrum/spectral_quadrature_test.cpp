@@ -21,14 +21,6 @@ std::vector<SpectralDistribution> someSources() {
           mercury};
 }
 
-Response total(const std::vector<Response>& weights, const std::vector<double>& transmittance) {
-  Response sum{};
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weights[k][c] * transmittance[k];
-  }
-  return sum;
-}
-
 TEST(SpectralQuadrature, WhiteSceneIsExactForEverySourceWithAnyNumberOfNodes) {
   const auto sources = someSources();
   for (const int count : {1, 2, 3, 4, 9, 31, 80, 81, 471}) {
@@ -37,7 +29,7 @@ TEST(SpectralQuadrature, WhiteSceneIsExactForEverySourceWithAnyNumberOfNodes) {
     ASSERT_EQ(quadrature.weights.size(), sources.size());
     const std::vector<double> white(quadrature.wavelengths.size(), 1.0);
     for (std::size_t s = 0; s < sources.size(); ++s) {
-      const auto [X, Y, Z, melanopic] = total(quadrature.weights[s], white);
+      const auto [X, Y, Z, melanopic] = responseOf(quadrature.weights[s], white);
       const double luminous = sources[s].integral(cie1931().ybar);
       EXPECT_NEAR(Y, 1, 1e-12) << count << " nodes, source " << s;
       EXPECT_NEAR(X, sources[s].integral(cie1931().xbar) / luminous, 1e-12);
@@ -53,7 +45,7 @@ TEST(SpectralQuadrature, TransmittanceThatIsStraightBetweenNodesIsExact) {
   for (const int count : {3, 5, 9, 31}) {
     const auto quadrature = uniformQuadrature(count, sources);
     for (std::size_t s = 0; s < sources.size(); ++s) {
-      const auto response = total(quadrature.weights[s], atNodes(filter, quadrature));
+      const auto response = responseOf(quadrature.weights[s], atNodes(filter, quadrature));
       double Y = 0;  // source x filter x ybar, exactly: the filter as one hat of a three-node problem
       const auto exact = uniformQuadrature(3, {sources[s]});
       const double at[] = {0.1, 0.9, 0.3};
@@ -86,13 +78,23 @@ TEST(SpectralQuadrature, NodeValuesOfAReflectanceStayBetweenNoneAndAll) {
   }
 }
 
+TEST(SpectralQuadrature, AReflectanceThatReachesOneStaysANumber) {
+  const auto notch = SpectralDistribution::sampled({{588, 1}, {589.3, 0.05}, {591, 1}}, Outside::hold);
+  for (const int count : {4, 9, 31, 81, 471}) {
+    for (const double value : atNodes(notch, uniformQuadrature(count, {}))) {
+      EXPECT_GE(value, 0) << count;
+      EXPECT_LE(value, 1) << count;
+    }
+  }
+}
+
 TEST(SpectralQuadrature, NarrowBandsBetweenNodesAreNotSteppedOver) {
   // A 4 nm band at 550 nm lies between the nodes 533.3 and 566.7 of ten; under light of equal energy it passes a known
   // share.
   const auto band = SpectralDistribution::sampled({{546, 0}, {550, 1}, {554, 0}}, Outside::hold);
   const auto white = SpectralDistribution::flat(1);
   const auto quadrature = uniformQuadrature(10, {white});
-  const auto [X, Y, Z, melanopic] = total(quadrature.weights[0], atNodes(band, quadrature));
+  const auto [X, Y, Z, melanopic] = responseOf(quadrature.weights[0], atNodes(band, quadrature));
   const auto& observer = cie1931();
   const double exact = band.integral(observer.xbar) + band.integral(observer.ybar) + band.integral(observer.zbar);
   EXPECT_NEAR(X + Y + Z, exact / observer.ybar.integral(), 1e-9) << "what is seen is kept exactly";

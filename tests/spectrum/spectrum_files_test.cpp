@@ -68,6 +68,17 @@ TEST(SpectrumFiles, FaultsAreNamedWithLineAndColumn) {
   EXPECT_TRUE(says(complaint(std::string("4\0\0\0", 4), Role::source), "not a text file"));
 }
 
+TEST(SpectrumFiles, AHoleInATableIsReadWithAWarningThatNamesTheLine) {
+  core::Diagnostics warnings;
+  readSpectrum("400 0.1\n410 0.1\n420 0.1\n530 0.3\n540 0.3\n700 0.3\n", "paint.spd", Role::reflectance, &warnings);
+  ASSERT_EQ(warnings.all().size(), 2U);
+  EXPECT_TRUE(says(core::toString(warnings.all()[0]), "paint.spd:4:1: warning: nothing stands between 420 and 530 nm"));
+  EXPECT_TRUE(says(core::toString(warnings.all()[1]), "paint.spd:6:1"));
+  core::Diagnostics none;
+  readSpectrum("400 0.1\n500 0.2\n600 0.3\n700 0.3\n", "coarse.spd", Role::reflectance, &none);
+  EXPECT_TRUE(none.all().empty()) << "a coarse table has no holes";
+}
+
 TEST(SpectrumFiles, EveryFaultIsListedAtOnce) {
   const auto all = complaint("400 0.1\n500 1.2\n600 -1\n700 inf\n", Role::reflectance);
   EXPECT_TRUE(says(all, ":2:"));
