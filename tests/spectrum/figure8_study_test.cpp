@@ -270,7 +270,9 @@ TEST(FigureEight, HeroWavelengthsConvergeToTheControl) {
     const double rms = std::sqrt(squares / runs);
     std::printf("  hero, %3d paths of 4: %.3f (%.3f)\n", paths, rms, expected);
     EXPECT_LT(rms, 1.1 * expected);
-    if (paths == 1) EXPECT_GT(rms, 0.8 * expected) << "one path has nothing to be spread over";
+    if (paths == 1) {
+      EXPECT_GT(rms, 0.8 * expected) << "one path has nothing to be spread over";
+    }
   }
 }
 
