@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "planner/spectral_choice.h"
@@ -31,8 +32,20 @@ void chooseSolver(const project::Project& project, Plan& plan) {
   plan.reasons.push_back("solver " + plan.solver + ": as the project asks");
 }
 
-SpectralAllowance allowanceFor(const project::Settings& settings, bool forColour) {
+// Nodes on which dispersed light makes a spectrum and no handful of ghosts.
+constexpr int nodesForDispersion = 16;
+
+// A refractive index that varies, of anything but a metal.
+bool disperses(const scene::World& world) {
+  return std::any_of(world.materials.begin(), world.materials.end(), [](const material::Material& material) {
+    const auto index = material.spectra.find("ior");
+    return index != material.spectra.end() && !index->second.isFlat() && !material.spectra.contains("k");
+  });
+}
+
+SpectralAllowance allowanceFor(const project::Settings& settings, const scene::World& world, bool forColour) {
   SpectralAllowance allowance;
+  if (disperses(world)) allowance.leastCount = nodesForDispersion;
   allowance.illuminance = spectralShare * settings.accuracy.grid;
   allowance.pictures = forColour;
   allowance.luminance = spectralShare * settings.accuracy.image;
@@ -61,7 +74,7 @@ const spectrum::SpectralScheme& askedScheme(const project::Project& project) {
 void chooseSpectral(const project::Project& project, const scene::World& world, bool forColour, Plan& plan) {
   const auto& settings = project.settings;
   const std::vector<Finish> finishes = finishesOf(world);
-  const SpectralAllowance allowance = allowanceFor(settings, forColour);
+  const SpectralAllowance allowance = allowanceFor(settings, world, forColour);
   SpectralChoice choice;
   if (settings.spectralScheme == "auto") {
     choice = chooseWavelengths(finishes, world.sourceSpectra, allowance);

@@ -61,11 +61,11 @@ SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
                                  const SpectralAllowance& allowance) {
   const bool grey =
       std::all_of(finishes.begin(), finishes.end(), [](const Finish& f) { return f.reflectance.isFlat(); });
-  if (grey || sources.empty()) return {spectrum::flatQuadrature(sources), {}};
+  if ((grey && allowance.leastCount <= 1) || sources.empty()) return {spectrum::flatQuadrature(sources), {}};
   const SpectralErrors errors(finishes, sources);
   const std::vector<LightPath> fitted = fittedPaths(errors, allowance);
   SpectralChoice choice;
-  for (int count = 1; count <= mostAdapted; ++count) {
+  for (int count = std::clamp(allowance.leastCount, 1, mostAdapted); count <= mostAdapted; ++count) {
     choice.quadrature = spectrum::adaptedQuadrature(count, errors.control(), fitted);
     choice.error = errors.of(choice.quadrature);
     if (meets(choice.error, allowance)) return choice;

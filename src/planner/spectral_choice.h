@@ -14,6 +14,7 @@ struct SpectralAllowance {
   double illuminance = 0.002;
   bool pictures = false;  ///< luminance and colour count
   double luminance = 0.005, colour = 1;
+  int leastCount = 1;  ///< nodes that are wanted in any case: where glass disperses each node goes its own way
 };
 
 struct SpectralChoice {

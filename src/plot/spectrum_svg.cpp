@@ -109,7 +109,7 @@ void drawComparison(std::string& svg) {
     const char* dashes;
     const char* name;
     double at;
-  } curves[] = {{spectrum::cie1931().ybar, "6 4", "V(λ)", 600}, {spectrum::melanopicAction(), "2 3", "melanopic", 440}};
+  } curves[] = {{spectrum::cie1931().ybar, "6 4", "V(λ)", 575}, {spectrum::melanopicAction(), "2 3", "melanopic", 470}};
   auto out = std::back_inserter(svg);
   for (const auto& [curve, dashes, name, at] : curves) {
     fmt::format_to(out, "<path d='{}' fill='none' stroke='#777777' stroke-width='1.2' stroke-dasharray='{}'/>\n",
