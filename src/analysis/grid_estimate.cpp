@@ -19,8 +19,8 @@ namespace goniolux::analysis {
 namespace {
 
 constexpr std::uint32_t pilotSamples = 8;
-constexpr std::size_t pilotPoints = 64;   // at least, when there are so many; the others go by their neighbours
-constexpr double remainderShare = 0.125;  // of the accuracy asked for, that the common error of all points may take
+constexpr std::size_t pilotPoints = 64;    // at least, when there are so many; the others go by their neighbours
+constexpr double remainderShare = 0.0625;  // of the accuracy asked for, that the common error of all points may take
 constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
 constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
 constexpr double largestGrowth = 8;              // from then on

@@ -232,7 +232,7 @@ Stage newStage() {
       parameter("size", "length x width x height", "", "LENGTHxWIDTHxHEIGHT in metres, e.g. 6x4x3", true),
       parameter("luminaire", "photometric file", "", "an LM-63 or EULUMDAT file, or one of the program's own", true),
       parameter("reflectances", "reflectances", "0.7/0.5/0.2", "ceiling/walls/floor", false),
-      parameter("target", "mean illuminance", "500", "maintained, on the work plane, lx", false),
+      parameter("target", "mean illuminance", "500", "maintained, lx", false),
       parameter("maintenance", "maintenance factor", "0.8", "of the luminaires", false),
       parameter("work-plane", "height of the work plane", "0.8", "metres above the floor", false)};
   stage.run = run;

@@ -136,7 +136,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
 Stage spectrumStage() {
   Stage stage;
   stage.name = "spectrum";
-  stage.title = "Colour of lamp spectra: chromaticity, colour temperature, colour rendering, melanopic ratio";
+  stage.title = "Colour of lamp spectra: chromaticity, CCT, rendering";
   stage.help =
       "Reads spectra (.spd, .csv, TM-27 .spdx) or takes built-in ones by name (\"CIE FL11\") and gives X, Y, Z (Y = "
       "100), x, y, u', v', correlated colour temperature and Duv for the CIE 1931 observer, Ra and R9 (CIE 13.3), Rf "

@@ -15,7 +15,7 @@ using spectrum::Response;
 
 // The paths looked at are a choice: others may be somewhat worse; and no fewer wavelengths than the control's are
 // called better than these.
-constexpr double unseenMargin = 1.3, leastRelative = 1e-4, leastColour = 0.01;
+constexpr double unseenMargin = 1.5, leastRelative = 1e-4, leastColour = 0.01;
 
 std::vector<std::vector<double>> reflectancesAt(const std::vector<Finish>& finishes,
                                                 const spectrum::SpectralQuadrature& quadrature) {

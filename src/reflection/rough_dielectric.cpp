@@ -27,7 +27,7 @@ AlbedoTable scatteredOnce(const Ggx& ggx, double index) {
   return AlbedoTable([&](double cosine) {
     const double mu = std::max(cosine, 1e-4);
     const Vec3 out(std::sqrt(1 - mu * mu), 0, mu);
-    constexpr std::uint32_t samples = 1024;
+    constexpr std::uint32_t samples = 4096;
     double sum = 0;
     for (std::uint32_t i = 0; i < samples; ++i) {
       const Vec3 h = ggx.visibleNormal(out, core::Sampler(0xd1e1, i).next2());

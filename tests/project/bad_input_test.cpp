@@ -197,9 +197,9 @@ TEST_F(BadInput, WhatTheFormatKnowsButThisVersionDoesNotIsSaidSo) {
   expectError(
       with("\"observers\": [ { \"name\": \"o\", \"eye\": [1,1,1], \"direction\": [1,0,0], \"quantity\": \"ugr\" } ]"),
       "\"ugr\"", "not supported yet");
-  expectError(
-      changed("\"flux\": 1000", "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[1,0],[0.2,0.5],[1,1]] } }"),
-      "[[1,0]", "the profile must begin and end on the axis");
+  expectError(changed("\"flux\": 1000",
+                      "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[1,0],[0.2,0.5],[1,1]] } }"),
+              "[[1,0]", "the profile must begin and end on the axis");
 }
 
 TEST_F(BadInput, MaterialsThatMakeLightAreRefused) {

@@ -65,7 +65,7 @@ TEST(ReflectionModels, WhiteFurnaceGainsNothingAtAnyAngle) {
     for (const double cosine : cosines) {
       const auto mean = albedo(f, viewAt(cosine), 4096);
       EXPECT_LT(mean.mean, 1 + 1e-3 + 4 * mean.standardError) << c.name << " at cosine " << cosine;
-      EXPECT_LT(mean.standardError, 4e-3) << c.name << " at cosine " << cosine;
+      EXPECT_LT(mean.standardError, 8e-3) << c.name << " at cosine " << cosine;
     }
   }
 }
@@ -91,7 +91,7 @@ TEST(ReflectionModels, RoughMetalThatReflectsEverythingLosesNothing) {
     if (c.name.rfind("white metal", 0) != 0) continue;
     const Fixture f(c);
     for (const double cosine : cosines) {
-      const auto mean = albedo(f, viewAt(cosine), 2048);
+      const auto mean = albedo(f, viewAt(cosine), 8192);
       EXPECT_GT(mean.mean, 0.99 - 4 * mean.standardError) << c.name << " at cosine " << cosine;
       EXPECT_LT(mean.mean, 1.001 + 4 * mean.standardError) << c.name << " at cosine " << cosine;
       EXPECT_LT(mean.standardError, 1e-3) << c.name << " at cosine " << cosine;
