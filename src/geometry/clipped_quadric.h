@@ -22,7 +22,7 @@ bool isWholeEllipsoid(const core::Mat4& form);
 /// Calls visit(point, unit normal, area element) for points spread over the surface: lines parallel to each of the
 /// three axes through the middles of `steps`^2 squares. As n_x^2 + n_y^2 + n_z^2 = 1, an element dA is the sum over the
 /// axes of |n_k| times its projection along axis k: no silhouette and no pole is singular. Relative error of an area
-/// with 256 steps: below 1e-3 (tests/geometry/clipped_quadric_test.cpp).
+/// with 256 steps: below 1e-3 (tests/geometry/registry_test.cpp).
 template <typename Visit>
 void visitSurface(const core::Mat4& form, int steps, const Visit& visit) {
   const double width = 2.0 / steps;

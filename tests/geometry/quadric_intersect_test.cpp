@@ -101,7 +101,7 @@ double residual(const QuadricPatch& patch, const Vec3& origin, const Vec3& direc
       return static_cast<double>(std::abs(x * x + y * y - 1));
     case Kind::cone:
     case Kind::torus:    // torus_intersect_test.cpp
-    case Kind::quadric:  // clipped_quadric_test.cpp
+    case Kind::quadric:  // registry_test.cpp
       break;
   }
   const long double radius = 1 + (patch.ratio - 1.0L) * z;
