@@ -18,6 +18,7 @@
 #include "geometry/radiance_scene.h"
 #include "pipeline/geometry_findings.h"
 #include "pipeline/stages.h"
+#include "pipeline/text_option.h"
 #include "project/project.h"
 #include "project/project_text.h"
 #include "project/results.h"
@@ -265,17 +266,6 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
   return Import(request).run();
 }
 
-core::Parameter parameter(const char* key, const char* title, const char* standard, const char* help, bool required) {
-  core::Parameter p;
-  p.key = key;
-  p.title = title;
-  p.kind = core::ParameterKind::text;
-  p.defaultText = standard;
-  p.help = help;
-  p.required = required;
-  return p;
-}
-
 }  // namespace
 
 Stage importStage() {
@@ -292,12 +282,12 @@ Stage importStage() {
       "others are made new and listed. What was not understood is listed with its line.";
   stage.inputName = "MODEL";
   stage.options = {
-      parameter("into", "project", "", "the project that the model is added to", true),
-      parameter("name", "name", "", "of the object; the file's when left out", false),
-      parameter("units", "units of the model", "m", "m, mm, cm, ft or in", false),
-      parameter("up", "axis that points up", "", "y or z; when left out, y for glTF and z for others", false),
-      parameter("materials", "mapping file", "",
-                "JSON: { \"model's material\": \"project's material\", \"*\": \"for all others\" }", false)};
+      textOption("into", "project", "", "the project that the model is added to", true),
+      textOption("name", "name", "", "of the object; the file's when left out", false),
+      textOption("units", "units of the model", "m", "m, mm, cm, ft or in", false),
+      textOption("up", "axis that points up", "", "y or z; when left out, y for glTF and z for others", false),
+      textOption("materials", "mapping file", "",
+                 "JSON: { \"model's material\": \"project's material\", \"*\": \"for all others\" }", false)};
   stage.run = run;
   return stage;
 }

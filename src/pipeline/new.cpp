@@ -9,6 +9,7 @@
 #include "photometry/photometric_file.h"
 #include "pipeline/lumen_method.h"
 #include "pipeline/stages.h"
+#include "pipeline/text_option.h"
 #include "project/reading.h"
 
 namespace goniolux::pipeline {
@@ -205,17 +206,6 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
   return report;
 }
 
-core::Parameter parameter(const char* key, const char* title, const char* standard, const char* help, bool required) {
-  core::Parameter p;
-  p.key = key;
-  p.title = title;
-  p.kind = core::ParameterKind::text;
-  p.defaultText = standard;
-  p.help = help;
-  p.required = required;
-  return p;
-}
-
 }  // namespace
 
 Stage newStage() {
@@ -229,12 +219,12 @@ Stage newStage() {
       "luminaires follows from the lumen method: the fewest whose maintained mean illuminance reaches the target.";
   stage.inputName = "KIND";
   stage.options = {
-      parameter("size", "length x width x height", "", "LENGTHxWIDTHxHEIGHT in metres, e.g. 6x4x3", true),
-      parameter("luminaire", "photometric file", "", "an LM-63 or EULUMDAT file, or one of the program's own", true),
-      parameter("reflectances", "reflectances", "0.7/0.5/0.2", "ceiling/walls/floor", false),
-      parameter("target", "mean illuminance", "500", "maintained, lx", false),
-      parameter("maintenance", "maintenance factor", "0.8", "of the luminaires", false),
-      parameter("work-plane", "height of the work plane", "0.8", "metres above the floor", false)};
+      textOption("size", "length x width x height", "", "LENGTHxWIDTHxHEIGHT in metres, e.g. 6x4x3", true),
+      textOption("luminaire", "photometric file", "", "an LM-63 or EULUMDAT file, or one of the program's own", true),
+      textOption("reflectances", "reflectances", "0.7/0.5/0.2", "ceiling/walls/floor", false),
+      textOption("target", "mean illuminance", "500", "maintained, lx", false),
+      textOption("maintenance", "maintenance factor", "0.8", "of the luminaires", false),
+      textOption("work-plane", "height of the work plane", "0.8", "metres above the floor", false)};
   stage.run = run;
   return stage;
 }
