@@ -9,7 +9,11 @@ namespace goniolux::solver {
 template <int W>
 bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3& unfoldedDirection, double distance,
                               Spectral& filter, std::uint64_t& rays) const {
-  Vec3 point = from.point, origin = from.start;
+  Vec3 origin = from.start;
+  // Mirrors show the receiver elsewhere and leave the light where it is: the aimed-at point is known exactly. Followed
+  // from mirror to mirror instead, the ray ends beside it by the offset of its start, and beyond a panel that it comes
+  // to at a grazing angle (a third of the light by a mirror 6 m away was lost so).
+  const Vec3 target = lights_->unfold(light, from.point, from.normal).point + unfoldedDirection * distance;
   Vec3 direction = lights_->fold(light, unfoldedDirection);
   for (const std::uint32_t plane : light.mirrors) {
     tracer::Hit hit;
@@ -23,7 +27,6 @@ bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3
       other.straightTransmittance(std::abs(glm::dot(hit.normal, direction)), transmittance.v.data());
       filter *= transmittance;
       distance -= hit.distance;
-      point = hit.position;
       origin = tracer_.leave(hit.position, glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal);
     } while (true);
     const std::uint32_t material = world_.surfaces[hit.surface].material;
@@ -37,12 +40,11 @@ bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3
     distance -= hit.distance;
     const Vec3 facing = glm::dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal;
     direction = lights_->planes()[plane].reflectDirection(direction);
-    point = hit.position;
     origin = tracer_.leave(hit.position, facing);
   }
   // From where the ray really starts to the very point of the emitter: moved sideways instead, rays to the rim of a
   // sphere or a tube would meet its near side (found against Radiance in the gallery: 0.4 % of the light).
-  const Vec3 toTarget = point + direction * distance - origin;
+  const Vec3 toTarget = target - origin;
   const double length = glm::length(toTarget);
   if (!(length > tracer_.slack())) return true;
   const double reach = length * (1 - 1e-5) - tracer_.slack();

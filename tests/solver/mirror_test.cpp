@@ -76,43 +76,69 @@ TEST(PlaneMirror, TwoFacingMirrorsAddTheirSeriesOfImages) {
   EXPECT_LT(e, 440.657);
 }
 
+// A panel in front of a perfect mirror in the plane x = 0.
+class PanelByMirror {
+ public:
+  PanelByMirror(const Vec3& center, double slope) : center_(center) {
+    material::Material mirror;
+    mirror.name = "mirror", mirror.model = "mirror";
+    mirror.spectra["reflectance"] = spectrum::SpectralDistribution::flat(1.0);
+    environment_.materials = {mirror};
+    environment_.sourceSpectra = {spectrum::SpectralDistribution::flat(1)};
+    scene::Object wall;
+    wall.shape.partNames = {"surface"};
+    wall.shape.mesh.vertices = {{0, -slope, -50}, {0, slope, -50}, {0, slope, 50}, {0, -slope, 50}};
+    wall.shape.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    wall.shape.mesh.parts = {0, 0};
+    wall.materials = {0};
+    environment_.objects = {wall};
+    panel_.name = panel_.type = "panel";
+    panel_.center = center;
+    panel_.opening = {.shape = emitter::Opening::Shape::rectangle, .length = 0.6, .width = 0.6};
+    panel_.distribution = std::make_shared<photometry::CosinePowerDistribution>(1.0, 1.0);
+    panel_.scale = 1000;
+    environment_.luminaires = {panel_};
+  }
+  [[nodiscard]] double solved(const Vec3& point, std::uint32_t samples) const {
+    const scene::World world = scene::buildWorld(environment_);
+    const tracer::Tracer tracer(world);
+    const auto quadrature = spectrum::flatQuadrature(world.sourceSpectra);
+    const auto solver = findSolverType("path")->make({world, tracer, quadrature});
+    const Receiver receiver{point - world.origin, {0, 0, 1}};
+    return solver->illuminance(receiver, *solver->plan(receiver, 1), 2, samples)[1];
+  }
+  /// The panel and its image, nothing between.
+  [[nodiscard]] double closedForm(const Vec3& point) const {
+    emitter::Output output;
+    output.distribution = panel_.distribution;
+    output.scale = 1000;
+    double sum = 0;
+    for (const Vec3& place : {center_, Vec3(-center_.x, center_.y, center_.z)})
+      sum += emitter::makeEmitter(panel_.opening, place, output)->illuminance(point, {0, 0, 1}, 1e-6).value;
+    return sum;
+  }
+
+ private:
+  Vec3 center_;
+  scene::Environment environment_;
+  scene::Luminaire panel_;
+};
+
 // An area source shows itself to paths as well: what images find must not be counted twice.
 TEST(PlaneMirror, CountsAnAreaSourceOnce) {
-  scene::Environment environment;
-  material::Material mirror, black;
-  mirror.name = "mirror", mirror.model = "mirror";
-  mirror.spectra["reflectance"] = spectrum::SpectralDistribution::flat(1.0);
-  environment.materials = {mirror};
-  environment.sourceSpectra = {spectrum::SpectralDistribution::flat(1)};
-  scene::Object wall;
-  wall.shape.partNames = {"surface"};
-  wall.shape.mesh.vertices = {{0, -50, -50}, {0, 50, -50}, {0, 50, 50}, {0, -50, 50}};
-  wall.shape.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  wall.shape.mesh.parts = {0, 0};
-  wall.materials = {0};
-  environment.objects = {wall};
-  scene::Luminaire panel;
-  panel.name = panel.type = "panel";
-  panel.center = {1, 0, 3};
-  panel.opening = {.shape = emitter::Opening::Shape::rectangle, .length = 0.6, .width = 0.6};
-  panel.distribution = std::make_shared<photometry::CosinePowerDistribution>(1.0, 1.0);
-  panel.scale = 1000;
-  environment.luminaires = {panel};
-  const scene::World world = scene::buildWorld(environment);
-  const tracer::Tracer tracer(world);
-  const auto quadrature = spectrum::flatQuadrature(world.sourceSpectra);
-  const auto solver = findSolverType("path")->make({world, tracer, quadrature});
-  // A perfect mirror at x = 0: the panel at x = 1 and its image at x = -1, both seen from (0.5, 0, 0).
-  const Receiver receiver{Vec3(0.5, 0, 0) - world.origin, {0, 0, 1}};
-  emitter::Output output;
-  output.distribution = panel.distribution;
-  output.scale = 1000;
-  const auto real = emitter::makeEmitter(panel.opening, {1, 0, 3}, output),
-             image = emitter::makeEmitter(panel.opening, {-1, 0, 3}, output);
-  const double expected =
-      real->illuminance({0.5, 0, 0}, {0, 0, 1}, 1e-6).value + image->illuminance({0.5, 0, 0}, {0, 0, 1}, 1e-6).value;
-  const auto plan = solver->plan(receiver, 1);
-  EXPECT_NEAR(solver->illuminance(receiver, *plan, 2, 64)[1], expected, 1e-5 * expected);
+  const PanelByMirror scene({1, 0, 3}, 50);
+  const double expected = scene.closedForm({0.5, 0, 0});
+  EXPECT_NEAR(scene.solved({0.5, 0, 0}, 64), expected, 1e-5 * expected);
+}
+
+// Light that comes to the mirror and from it at a grazing angle to the panel is not lost: a target that is missed by
+// the offset of the ray's start lies behind the panel.
+TEST(PlaneMirror, LosesNothingOfAPanelSeenAtAGrazingAngle) {
+  for (const double distance : {2.0, 5.9, 20.0, 200.0}) {
+    const PanelByMirror scene({1, 0, 2.199}, 50 + distance);
+    const double expected = scene.closedForm({distance, 0.9, 0});
+    EXPECT_NEAR(scene.solved({distance, 0.9, 0}, 64), expected, 1e-5 * expected) << distance;
+  }
 }
 
 }  // namespace
