@@ -323,7 +323,7 @@ GridEstimate nothingYet(std::size_t points) {
 
 GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
                           std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
-                          core::ProgressSink& progress, const std::string& task) {
+                          core::ProgressSink& progress, const std::string& task, const GridObserver& partial) {
   const double start = now();
   const auto seconds = [&] { return now() - start; };
 
@@ -347,6 +347,7 @@ GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver
         task, std::min(0.95, estimate.shareWithin * 0.9),
         fmt::format("points within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * estimate.shareWithin));
     if (estimate.reached || seconds() >= limit.secondsLeft) break;
+    if (partial) partial(estimate);
     points = run.pointsReached(estimate) ? run.refineMinimum(estimate) : run.refine(estimate);
   }
   progress.progress(task, 1,

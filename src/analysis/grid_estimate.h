@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -44,11 +45,14 @@ struct GridEstimate {
   std::uint64_t samples = 0;  ///< light paths used by the estimate
 };
 
+/// Sees each round's estimate while the work goes on; called from the calling thread.
+using GridObserver = std::function<void(const GridEstimate&)>;
+
 /// Estimates the illuminance at all receivers (world frame). `key` makes the run's random numbers; receivers must not
 /// be empty.
 GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
                           std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
-                          core::ProgressSink& progress, const std::string& task);
+                          core::ProgressSink& progress, const std::string& task, const GridObserver& partial = {});
 
 /// A bound of the deterministic error of each point, by cause.
 using Systematic = std::map<std::string, std::vector<double>>;

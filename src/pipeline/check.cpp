@@ -39,8 +39,10 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
   StageReport report;
   core::Diagnostics found;
   try {
+    const project::Overrides overrides{request.common.set, request.common.scene};
     const project::Project project =
-        project::readProject(request.inputs.front(), {request.common.set, request.common.scene});
+        request.projectText ? project::readProjectText(*request.projectText, request.inputs.front(), overrides)
+                            : project::readProject(request.inputs.front(), overrides);
     found = project.warnings;
     findInGeometry(project, found);
     findByRays(project, found);

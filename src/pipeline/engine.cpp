@@ -22,6 +22,7 @@ project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy
   if (common.seed) set("seed", std::to_string(*common.seed));
   if (common.timeLimit_s) set("time_limit_s", fmt::format("{}", *common.timeLimit_s));
   overrides.scene = common.scene;
+  if (request.projectText) return project::readProjectText(*request.projectText, request.inputs.at(0), overrides);
   return project::readProject(request.inputs.at(0), overrides);
 }
 

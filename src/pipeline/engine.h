@@ -16,7 +16,8 @@ namespace goniolux::pipeline {
 /// Which accuracy `--accuracy` sets.
 enum class AccuracyOf { grids, images, both };
 
-/// The project named by the request with the command line's overrides applied. Throws core::InputError.
+/// The project named by the request (its text, where the request brings one) with the command line's overrides applied.
+/// Throws core::InputError.
 project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy);
 /// Where the results go: -o, else "results" in the project's folder.
 std::string resultsFolder(const StageRequest& request, const project::Project& project);

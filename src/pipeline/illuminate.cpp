@@ -53,8 +53,9 @@ core::Estimate scaled(core::Estimate e, double factor) {
 
 class GridStage {
  public:
-  GridStage(const project::Project& project, const Engine& engine, core::ProgressSink& progress)
-      : project_(project), engine_(engine), progress_(progress), solids_(solidsOf(project)) {}
+  GridStage(const project::Project& project, const Engine& engine, core::ProgressSink& progress,
+            const GridResultObserver& partial)
+      : project_(project), engine_(engine), progress_(progress), partial_(partial), solids_(solidsOf(project)) {}
 
   project::GridResult calculate(const analysis::Grid& grid, double secondsLeft, bool& reached,
                                 std::string& reachedText) {
@@ -81,10 +82,17 @@ class GridStage {
           fmt::format("grid \"{}\" has no free point: all {} lie inside solid objects; move the grid", grid.name,
                       grid.points.size()));
 
+    analysis::GridObserver observer;
+    if (partial_)
+      observer = [&](const analysis::GridEstimate& soFar) {
+        project::GridResult known = result;
+        fill(known, soFar, index);
+        partial_(known);
+      };
     const auto& asked = project_.settings.accuracy;
-    const analysis::GridEstimate e =
-        analysis::estimateGrid(*engine_.solver, receivers, keyOf(project_.settings.seed, grid.name),
-                               {asked.grid, asked.u0, asked.confidence, 0.01}, {secondsLeft}, progress_, grid.name);
+    const analysis::GridEstimate e = analysis::estimateGrid(
+        *engine_.solver, receivers, keyOf(project_.settings.seed, grid.name),
+        {asked.grid, asked.u0, asked.confidence, 0.01}, {secondsLeft}, progress_, grid.name, observer);
     fill(result, e, index);
     if (!e.reached) {
       reached = false;
@@ -138,6 +146,7 @@ class GridStage {
   const project::Project& project_;
   const Engine& engine_;
   core::ProgressSink& progress_;
+  const GridResultObserver& partial_;
   std::vector<geometry::InsideTest> solids_;
 };
 
@@ -157,7 +166,8 @@ StageReport illuminate(const StageRequest& request, core::ProgressSink& progress
 
 }  // namespace
 
-project::Results calculateGrids(const project::Project& project, const Engine& engine, core::ProgressSink& progress) {
+project::Results calculateGrids(const project::Project& project, const Engine& engine, core::ProgressSink& progress,
+                                const GridResultObserver& partial) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const double cpuAtStart = core::processCpuSeconds();
@@ -173,7 +183,7 @@ project::Results calculateGrids(const project::Project& project, const Engine& e
   results.settingsUsed = planner::toJson(engine.plan, project);
   results.leftOut = leftOutSentences(engine);
 
-  GridStage stage(project, engine, progress);
+  GridStage stage(project, engine, progress, partial);
   std::size_t left = project.grids.size();
   for (const analysis::Grid& grid : project.grids) {
     // What is left of the time limit is shared by the grids that are left.

@@ -46,6 +46,24 @@ std::string adoptedWhite(const Engine& engine) {
   return fmt::format("{:.5f} {:.5f}", x, y);
 }
 
+/// How the image was made, as its attributes.
+void describe(viewing::ImageEstimate& estimate, const project::Project& project, const Engine& engine,
+              const scene::View& view) {
+  const auto& settings = project.settings;
+  auto& attributes = estimate.image.attributes;
+  attributes["program"] = "Goniolux " + programVersion();
+  attributes["project"] = project.name;
+  attributes["projectHash"] = project.hash;
+  attributes["view"] = view.name;
+  attributes["seed"] = std::to_string(settings.seed);
+  attributes["solver"] = engine.plan.solver;
+  attributes["spectralSampling"] = engine.plan.quadrature.scheme;
+  attributes[image::adoptedWhiteAttribute] = adoptedWhite(engine);
+  attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
+                                            100 * settings.accuracy.image, 100 * settings.accuracy.confidence);
+  attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);
+}
+
 StageReport render(const StageRequest& request, core::ProgressSink& progress) {
   const project::Project project = readProjectFor(request, AccuracyOf::images);
   const auto asked = request.options.find("view");
@@ -81,7 +99,8 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
 }  // namespace
 
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
-                          const std::string& folder, double secondsLeft, core::ProgressSink& progress) {
+                          const std::string& folder, double secondsLeft, core::ProgressSink& progress,
+                          const viewing::ImageObserver& partial) {
   const auto start = std::chrono::steady_clock::now();
   const double cpuAtStart = core::processCpuSeconds();
   const std::uint64_t raysAtStart = engine.solver->rays();
@@ -89,22 +108,19 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
 
   std::uint64_t key = core::mix(settings.seed + 0x1a6e);
   for (const char c : view.name) key = core::combine(key, static_cast<unsigned char>(c));
-  viewing::ImageEstimate estimate = viewing::renderView(
-      *engine.solver, view, engine.world.origin, key,
-      {settings.accuracy.image, settings.accuracy.confidence, 0.01, settings.pixelMaxSamples}, secondsLeft, progress);
+  viewing::ImageObserver observer;
+  if (partial)
+    observer = [&](const viewing::ImageEstimate& soFar) {
+      viewing::ImageEstimate known = soFar;
+      describe(known, project, engine, view);
+      partial(known);
+    };
+  viewing::ImageEstimate estimate =
+      viewing::renderView(*engine.solver, view, engine.world.origin, key,
+                          {settings.accuracy.image, settings.accuracy.confidence, 0.01, settings.pixelMaxSamples},
+                          secondsLeft, progress, observer);
 
-  auto& attributes = estimate.image.attributes;
-  attributes["program"] = "Goniolux " + programVersion();
-  attributes["project"] = project.name;
-  attributes["projectHash"] = project.hash;
-  attributes["view"] = view.name;
-  attributes["seed"] = std::to_string(settings.seed);
-  attributes["solver"] = engine.plan.solver;
-  attributes["spectralSampling"] = engine.plan.quadrature.scheme;
-  attributes[image::adoptedWhiteAttribute] = adoptedWhite(engine);
-  attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
-                                            100 * settings.accuracy.image, 100 * settings.accuracy.confidence);
-  attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);
+  describe(estimate, project, engine, view);
 
   std::error_code failure;
   fs::create_directories(folder, failure);

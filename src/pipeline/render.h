@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pipeline/engine.h"
+#include "viewing/pixel_loop.h"
 
 namespace goniolux::pipeline {
 
@@ -15,9 +16,10 @@ struct RenderedView {
   int width = 0, height = 0;
 };
 
-/// Renders one view and writes NAME.exr into the folder.
+/// Renders one view and writes NAME.exr into the folder. `partial` sees the picture as it grows, its attributes set.
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
-                          const std::string& folder, double secondsLeft, core::ProgressSink& progress);
+                          const std::string& folder, double secondsLeft, core::ProgressSink& progress,
+                          const viewing::ImageObserver& partial = {});
 core::Value toJson(const RenderedView& view, const Engine& engine);
 std::string renderText(const RenderedView& view, const project::Project& project);
 

@@ -31,7 +31,8 @@ struct CommonOptions {
 struct StageRequest {
   std::vector<std::string> inputs;  ///< positional arguments
   CommonOptions common;
-  std::map<std::string, std::string> options;  ///< the stage's own options by key, e.g. "view"
+  std::map<std::string, std::string> options;   ///< the stage's own options by key, e.g. "view"
+  std::optional<std::string> projectText = {};  ///< taken instead of the project file's: an unsaved document
 };
 
 struct StageReport {

@@ -147,12 +147,16 @@ void readSections(const core::Value& root, Project& project, const Overrides& ov
 }  // namespace
 
 Project readProject(const std::string& path, const Overrides& overrides) {
-  const fs::path file = projectFile(path);
+  const std::string file = projectFile(path).string();
+  return readProjectText(core::readFile(file), file, overrides);
+}
+
+Project readProjectText(const std::string& text, const std::string& fileName, const Overrides& overrides) {
+  const fs::path file = fileName;
   Project project;
   project.file = file.string();
   project.folder = file.has_parent_path() ? file.parent_path().string() : ".";
   Reading reading(project.folder);
-  const std::string text = core::readFile(project.file);
   reading.addInput(file.filename().string(), text);
   const core::Value root = core::parseJson(text, project.file, reading.diagnostics);
   if (reading.diagnostics.hasErrors()) throw core::InputError(reading.diagnostics);

@@ -74,5 +74,8 @@ struct Overrides {
 
 /// Reads PROJECT (a folder or a project.json). Throws core::InputError listing every error found.
 Project readProject(const std::string& path, const Overrides& overrides = {});
+/// The same of a text that is not, or not yet, in the project file: what an interface has open. `file` is the
+/// project.json that it belongs to, in messages and for the files that it names.
+Project readProjectText(const std::string& text, const std::string& file, const Overrides& overrides = {});
 
 }  // namespace goniolux::project

@@ -22,6 +22,12 @@ std::string indented(const Value& value) {
   return out;
 }
 
+std::string quoted(const std::string& word) {
+  std::string json = core::toJson(Value(word));
+  while (!json.empty() && json.back() == '\n') json.pop_back();
+  return json;
+}
+
 }  // namespace
 
 ProjectText::ProjectText(std::string text, std::string fileName) : text_(std::move(text)), file_(std::move(fileName)) {
@@ -35,9 +41,33 @@ void ProjectText::parse() {
 }
 
 std::size_t ProjectText::offsetOf(const Value& value) const {
+  return offsetOf(value.position());
+}
+
+std::size_t ProjectText::offsetOf(const core::SourcePosition& position) const {
   std::size_t begin = 0;
-  for (int line = 1; line < value.position().line; ++line) begin = text_.find('\n', begin) + 1;
-  return begin + static_cast<std::size_t>(value.position().column) - 1;
+  for (int line = 1; line < position.line; ++line) begin = text_.find('\n', begin) + 1;
+  return begin + static_cast<std::size_t>(position.column) - 1;
+}
+
+std::size_t ProjectText::endOfValue(std::size_t begin) const {
+  const char c = text_[begin];
+  return c == '{' || c == '[' || c == '"' ? endOf(begin) : text_.find_first_of(",]} \t\r\n/", begin);
+}
+
+std::size_t ProjectText::skipBlanks(std::size_t at) const {
+  while (at < text_.size()) {
+    if (text_.compare(at, 2, "//") == 0) {
+      at = std::min(text_.find('\n', at), text_.size());
+    } else if (text_.compare(at, 2, "/*") == 0) {
+      at = text_.find("*/", at + 2) + 2;
+    } else if (std::string_view(" \t\r\n").find(text_[at]) != std::string_view::npos) {
+      ++at;
+    } else {
+      break;
+    }
+  }
+  return at;
 }
 
 std::size_t ProjectText::endOf(std::size_t begin) const {
@@ -66,9 +96,7 @@ void ProjectText::insertBeforeEnd(const Value& container, bool isEmpty, const st
   // After the last value, not after the blanks and comments that may follow: JSON allows no comma before the end.
   if (!isEmpty) {
     const Value& last = container.isArray() ? container.array().back() : container.object().back().second;
-    const std::size_t begin = offsetOf(last);
-    const char c = text_[begin];
-    at = c == '{' || c == '[' || c == '"' ? endOf(begin) : text_.find_first_of(",]} \t\r\n/", begin);
+    at = endOfValue(offsetOf(last));
   }
   text_.insert(at, (isEmpty ? "\n    " : ",\n    ") + entry + (isEmpty ? "\n  " : ""));
   parse();
@@ -83,11 +111,6 @@ void ProjectText::appendTo(const std::string& key, const Value& entry) {
 }
 
 void ProjectText::addMember(const std::string& key, const std::string& name, const Value& value) {
-  const auto quoted = [](const std::string& word) {
-    std::string json = core::toJson(Value(word));
-    while (!json.empty() && json.back() == '\n') json.pop_back();
-    return json;
-  };
   const std::string member = quoted(name) + ": " + indented(value);
   const Value* object = root_.find(key);
   if (!object) return insertBeforeEnd(root_, root_.object().empty(), quoted(key) + ": { " + member + " }");
@@ -98,10 +121,40 @@ void ProjectText::addMember(const std::string& key, const std::string& name, con
 
 void ProjectText::replace(const Value& old, const Value& value) {
   const std::size_t begin = offsetOf(old);
-  const char c = text_[begin];
-  const std::size_t end = c == '{' || c == '[' || c == '"' ? endOf(begin) : text_.find_first_of(",]} \t\r\n/", begin);
   std::string json = indented(value);
-  text_.replace(begin, end - begin, json);
+  text_.replace(begin, endOfValue(begin) - begin, json);
+  parse();
+}
+
+void ProjectText::append(const Value& list, const Value& entry) {
+  insertBeforeEnd(list, list.array().empty(), indented(entry));
+}
+
+void ProjectText::add(const Value& object, const std::string& key, const Value& value) {
+  insertBeforeEnd(object, object.object().empty(), quoted(key) + ": " + indented(value));
+}
+
+void ProjectText::remove(const Value& container, std::size_t index) {
+  const bool isList = container.isArray();
+  const std::size_t count = isList ? container.array().size() : container.object().size();
+  const auto valueAt = [&](std::size_t i) -> const Value& {
+    return isList ? container.array()[i] : container.object()[i].second;
+  };
+  const Value& gone = valueAt(index);
+  std::size_t begin = isList ? offsetOf(gone) : offsetOf(gone.keyPosition());
+  std::size_t end = endOfValue(offsetOf(gone));
+  if (index + 1 < count) {
+    end = skipBlanks(end);  // to the comma, which goes too, and the blanks after it
+    if (end < text_.size() && text_[end] == ',') end = text_.find_first_not_of(" \t\r\n", end + 1);
+  } else if (index > 0) {
+    // The last one: the comma before it goes; comments between stay.
+    const std::size_t comma = skipBlanks(endOfValue(offsetOf(valueAt(index - 1))));
+    text_.erase(comma, 1);
+    --begin;
+    --end;
+    while (begin > comma && std::string_view(" \t\r\n").find(text_[begin - 1]) != std::string_view::npos) --begin;
+  }
+  text_.erase(begin, end - begin);
   parse();
 }
 

@@ -18,6 +18,11 @@ class ProjectText {
   void addMember(const std::string& key, const std::string& name, const core::Value& value);
   /// Replaces a value that was read from this text (the latest root()).
   void replace(const core::Value& old, const core::Value& value);
+  /// Appends to a list, or adds a member to an object, that was read from this text (the latest root()).
+  void append(const core::Value& list, const core::Value& entry);
+  void add(const core::Value& object, const std::string& key, const core::Value& value);
+  /// Takes an entry out of a list or a member out of an object, with the comma that belongs to it; comments stay.
+  void remove(const core::Value& container, std::size_t index);
 
   /// The text as it is now, parsed; positions belong to it.
   [[nodiscard]] const core::Value& root() const { return root_; }
@@ -26,7 +31,12 @@ class ProjectText {
  private:
   void parse();
   [[nodiscard]] std::size_t offsetOf(const core::Value& value) const;
-  /// One past the end of the value that begins at `begin`.
+  [[nodiscard]] std::size_t offsetOf(const core::SourcePosition& position) const;
+  /// One past the end of any value.
+  [[nodiscard]] std::size_t endOfValue(std::size_t begin) const;
+  /// The first place from `at` on that is neither blank nor comment.
+  [[nodiscard]] std::size_t skipBlanks(std::size_t at) const;
+  /// One past the end of the list, object or text that begins at `begin`.
   [[nodiscard]] std::size_t endOf(std::size_t begin) const;
   void insertBeforeEnd(const core::Value& container, bool isEmpty, const std::string& entry);
 

@@ -41,12 +41,13 @@ class PixelLoop {
 
   /// The first samples, one replicate of the whole picture after the other, so that an early end leaves a whole
   /// picture.
-  void firstPass(const std::function<bool()>& goOn, core::ProgressSink& progress) {
+  void firstPass(const std::function<bool()>& goOn, const ImageObserver& partial, core::ProgressSink& progress) {
     for (std::size_t r = 0; r < replicates; ++r) {
       forAllPixels(progress, [&](std::size_t i, int x, int y) { sampleReplicate(i, x, y, r, 0, 1); });
       if (progress.cancelled()) return;
       complete_ = r + 1;
       progress.progress(view_.name, 0.3 * static_cast<double>(r + 1) / replicates, "first samples");
+      if (partial && r + 1 < replicates) partial(result());
       if (r + 1 >= fewestReplicates && !goOn()) return;
     }
   }
@@ -213,21 +214,23 @@ class PixelLoop {
 
 ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin,
                          std::uint64_t key, const PixelAccuracy& accuracy, double secondsLeft,
-                         core::ProgressSink& progress) {
+                         core::ProgressSink& progress, const ImageObserver& partial) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
   PixelLoop loop(solver, view, worldOrigin, key, accuracy);
   progress.progress(view.name, 0, "first samples");
-  loop.firstPass([&] { return elapsed() < secondsLeft; }, progress);
+  loop.firstPass([&] { return elapsed() < secondsLeft; }, partial, progress);
   bool more = loop.firstPassIsComplete();
   if (more) loop.findMissed(progress);
   while (more && elapsed() < secondsLeft) {
     const double share = loop.shareWithin();
     progress.progress(view.name, std::min(0.95, share),
                       fmt::format("pixels within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * share));
-    if (share >= shareAsked || !loop.refine()) break;
+    if (share >= shareAsked) break;
+    if (partial) partial(loop.result());
+    if (!loop.refine()) break;
     more = loop.pass(progress);
   }
   ImageEstimate estimate = loop.result();

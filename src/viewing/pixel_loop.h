@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "core/progress.h"
@@ -31,9 +32,12 @@ struct ImageEstimate {
   std::uint64_t samples = 0;
 };
 
+/// Sees the whole picture as it is known after each pass; called from the calling thread.
+using ImageObserver = std::function<void(const ImageEstimate&)>;
+
 /// Renders the view. `worldOrigin`: scene::World::origin. `secondsLeft`: wall clock, checked between passes.
 ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin,
                          std::uint64_t key, const PixelAccuracy& accuracy, double secondsLeft,
-                         core::ProgressSink& progress);
+                         core::ProgressSink& progress, const ImageObserver& partial = {});
 
 }  // namespace goniolux::viewing
