@@ -7,23 +7,33 @@
 
 namespace goniolux::image {
 
+/// Spectral radiance of every pixel at one wavelength, W/(m2 sr nm).
+struct SpectralChannel {
+  double wavelength_nm = 0;
+  std::vector<float> values;
+};
+
 struct XyzImage {
   int width = 0, height = 0;
-  std::vector<float> x, y, z;                     ///< row by row from the top, width * height each
-  std::vector<float> halfWidth;                   ///< statistical half-width of Y, cd/m2; empty or width * height
+  std::vector<float> x, y, z;             ///< row by row from the top, width * height each
+  std::vector<float> halfWidth;           ///< half-width of Y, cd/m2; empty or width * height
+  std::vector<float> chromaticityX;       ///< statistical half-width of the chromaticity x; empty or width * height
+  std::vector<float> chromaticityY;       ///< the same of the chromaticity y
+  std::vector<SpectralChannel> spectrum;  ///< by ascending wavelength; empty unless asked for
   std::map<std::string, std::string> attributes;  ///< how it was made: seed, project hash, settings …
 };
 
 /// Attribute that names the white to which an observer in the scene is adapted, "x y" (CIE 1931): the light of all
 /// sources together. `display` turns it into the device's white.
 inline constexpr const char* adoptedWhiteAttribute = "adoptedWhite";
-
-/// OpenEXR with 32-bit float channels X, Y, Z (and "Y.halfWidth" where known), lossless compression, and the attributes
-/// beside the calibration ("photometricUnits": "cd/m2", "observer", "spectralRange_nm"). Throws core::RunError when it
-/// cannot be written.
-void writeExr(const std::string& path, const XyzImage& image);
-/// Reads what writeExr wrote, or any EXR with channels X, Y, Z. Throws core::InputError (what is missing or damaged;
-/// what to do).
-XyzImage readExr(const std::string& path);
+/// Attribute: the part of Y's half-width that is systematic, as a fraction of Y; the rest is statistical and
+/// independent from pixel to pixel.
+inline constexpr const char* systematicAttribute = "systematicHalfWidth";
+/// Attribute: confidence of the half-widths, "0.95".
+inline constexpr const char* confidenceAttribute = "confidence";
+/// Attribute: the view in Radiance's words ("-vta -vp …"), for programs that evaluate glare.
+inline constexpr const char* viewAttribute = "radianceView";
+/// Attribute of images from elsewhere whose unit the file does not state: "relative".
+inline constexpr const char* unitsAttribute = "photometricUnits";
 
 }  // namespace goniolux::image

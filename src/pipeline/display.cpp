@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 
+#include "display/adopted_white.h"
 #include "display/device.h"
 #include "display/exposure.h"
 #include "display/mapping.h"
 #include "display/picture_file.h"
-#include "image/xyz_image.h"
+#include "image/image_file.h"
 #include "pipeline/stages.h"
 
 namespace goniolux::pipeline {
@@ -27,28 +27,11 @@ std::string optionOr(const StageRequest& request, const char* key, std::string o
   return found != request.options.end() ? found->second : std::move(otherwise);
 }
 
-// "x y" or "x,y"; nothing when it is no chromaticity of a light.
-std::optional<Chromaticity> chromaticityFrom(std::string_view text) {
-  Chromaticity result;
-  const char* end = text.data() + text.size();
-  const auto [afterX, errorX] = std::from_chars(text.data(), end, result.x);
-  if (errorX != std::errc() || afterX == end) return std::nullopt;
-  const char* second = afterX;
-  while (second != end && (*second == ' ' || *second == ',')) ++second;
-  const auto [afterY, errorY] = std::from_chars(second, end, result.y);
-  if (second == afterX || errorY != std::errc() || afterY != end) return std::nullopt;
-  if (!(result.x > 0 && result.y > 0 && result.x + result.y < 1)) return std::nullopt;
-  return result;
-}
-
 std::optional<Chromaticity> adoptedWhite(const StageRequest& request, const image::XyzImage& image) {
   const std::string adapt = optionOr(request, "adapt", "auto");
   if (adapt == "none") return std::nullopt;
-  if (adapt == "auto") {
-    const auto found = image.attributes.find(image::adoptedWhiteAttribute);
-    return found != image.attributes.end() ? chromaticityFrom(found->second) : std::nullopt;
-  }
-  const auto white = chromaticityFrom(adapt);
+  if (adapt == "auto") return display::adoptedWhiteOf(image);
+  const auto white = display::chromaticityFrom(adapt);
   if (!white) {
     throw core::InputError({"--adapt", 0, 0}, "adapt",
                            fmt::format("'{}' is no white; give auto, none, or CIE x,y such as 0.4476,0.4074", adapt));
@@ -102,7 +85,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   settings.bits = bits(request, display::pictureFormat(output));
 
   progress.progress("reading the image", 0, "");
-  const image::XyzImage image = image::readExr(input);
+  const image::XyzImage image = image::readImage(input);
   settings.adoptedWhite = adoptedWhite(request, image);
   const display::LuminanceStatistics statistics =
       display::luminanceStatistics(image, display::rgbFromXyz(device, settings.adoptedWhite));

@@ -8,7 +8,7 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
-#include "image/xyz_image.h"
+#include "image/exr.h"
 #include "pipeline/stages.h"
 #include "project/results.h"
 #include "spectrum/colorimetry.h"
@@ -59,6 +59,8 @@ void describe(viewing::ImageEstimate& estimate, const project::Project& project,
   attributes["solver"] = engine.plan.solver;
   attributes["spectralSampling"] = engine.plan.quadrature.scheme;
   attributes[image::adoptedWhiteAttribute] = adoptedWhite(engine);
+  attributes[image::confidenceAttribute] = fmt::format("{:g}", settings.accuracy.confidence);
+  attributes[image::systematicAttribute] = fmt::format("{:.6g}", estimate.missed);
   attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
                                             100 * settings.accuracy.image, 100 * settings.accuracy.confidence);
   attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);

@@ -22,6 +22,8 @@ const std::vector<Stage>& stages() {
       renderStage(),
       displayStage(),
       plotStage(),
+      probeStage(),
+      compareStage(),
 
       // files on their own
       luminaireStage(),

@@ -16,6 +16,8 @@ Stage illuminateStage();
 Stage scenesStage();
 Stage renderStage();
 Stage displayStage();
+Stage probeStage();
+Stage compareStage();
 Stage plotStage();
 Stage luminaireStage();
 Stage spectrumStage();

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -124,12 +125,16 @@ class PixelLoop {
     image.width = view_.width;
     image.height = view_.height;
     image.x.resize(count_), image.y.resize(count_), image.z.resize(count_), image.halfWidth.resize(count_);
+    image.chromaticityX.resize(count_), image.chromaticityY.resize(count_);
     for (std::size_t i = 0; i < count_; ++i) {
       const Colour colour = mean(i);
       image.x[i] = colour.x;
       image.y[i] = colour.y;
       image.z[i] = colour.z;
       image.halfWidth[i] = static_cast<float>(halfWidth(i));
+      const auto [hx, hy] = chromaticityHalfWidths(i);
+      image.chromaticityX[i] = static_cast<float>(hx);
+      image.chromaticityY[i] = static_cast<float>(hy);
       e.samples += static_cast<std::uint64_t>(done_[i]) * complete_;
     }
     e.missed = missed_;
@@ -183,6 +188,23 @@ class PixelLoop {
     std::array<double, replicates> means{};
     for (std::size_t r = 0; r < complete_; ++r) means[r] = static_cast<double>(sums_[i][r].y) / done_[i];
     return quantile() * core::replicateMean(std::span(means).first(complete_)).standardError + missed_ * value(i);
+  }
+  // x = X / S, S = X + Y + Z: to first order dx = (dX - x dS) / S, so that what X, Y and Z err together cancels.
+  [[nodiscard]] std::pair<double, double> chromaticityHalfWidths(std::size_t i) const {
+    if (complete_ < 2) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    const Colour colour = mean(i);
+    const double S = static_cast<double>(colour.x) + static_cast<double>(colour.y) + static_cast<double>(colour.z);
+    if (!(S > 0)) return {0, 0};
+    const double x = static_cast<double>(colour.x) / S, y = static_cast<double>(colour.y) / S;
+    std::array<double, replicates> dx{}, dy{};
+    for (std::size_t r = 0; r < complete_; ++r) {
+      const double X = static_cast<double>(sums_[i][r].x) / done_[i], Y = static_cast<double>(sums_[i][r].y) / done_[i];
+      const double sum = X + Y + static_cast<double>(sums_[i][r].z) / done_[i];
+      dx[r] = (X - x * sum) / S;
+      dy[r] = (Y - y * sum) / S;
+    }
+    return {quantile() * core::replicateMean(std::span(dx).first(complete_)).standardError,
+            quantile() * core::replicateMean(std::span(dy).first(complete_)).standardError};
   }
   [[nodiscard]] double quantile() const {
     return complete_ == replicates ? quantile_

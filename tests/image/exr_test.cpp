@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "core/diagnostics.h"
-#include "image/xyz_image.h"
+#include "image/exr.h"
 #include "support/temporary_folder.h"
 
 namespace goniolux::image {
@@ -143,6 +145,70 @@ TEST(Exr, ForeignToolReadsTheHeader) {
                                "Y.halfWidth", "photometricUnits", "cd/m2", "projectHash", "(36 20)"}) {
     EXPECT_NE(header.find(expected), std::string::npos) << expected << " is not in\n" << header;
   }
+}
+
+TEST(Exr, SixteenBitFormsRoundByLessThanAThousandth) {
+  const test::TemporaryFolder folder;
+  XyzImage image = testImage(37, 21);  // up to 1e6 cd/m2: beyond 16-bit floats
+  image.chromaticityX = image.chromaticityY = std::vector<float>(image.y.size(), 0.001F);
+  const auto size = [&](const char* name, ExrForm form) {
+    const std::string path = (folder.path() / name).string();
+    writeExr(path, image, form);
+    const XyzImage back = readExr(path);
+    for (std::size_t i = 0; i < image.y.size(); ++i) {
+      // Half of 2^-10, and half of the smallest step where scaled values leave the normal range (2^-25 * scale).
+      const float tiny = 16 * 3.0e-8F;
+      EXPECT_NEAR(back.x[i], image.x[i], image.x[i] * 4.9e-4F + tiny);
+      EXPECT_NEAR(back.y[i], image.y[i], image.y[i] * 4.9e-4F + tiny);
+      EXPECT_NEAR(back.z[i], image.z[i], image.z[i] * 4.9e-4F + tiny);
+    }
+    EXPECT_EQ(back.halfWidth.empty(), form == ExrForm::paper) << "the paper's form has three channels";
+    return std::filesystem::file_size(path);
+  };
+  const auto full = size("float.exr", ExrForm::float32);
+  EXPECT_LT(size("half.exr", ExrForm::half), full);
+  EXPECT_GT(size("paper.exr", ExrForm::paper), 0U);
+}
+
+TEST(Exr, SpectralChannelsComeBackUnderThePublishedNames) {
+  EXPECT_EQ(spectralChannelName(550), "S0.550,000000nm");
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "view.exr").string();
+  XyzImage image = testImage(5, 4);
+  image.spectrum = {{437.5, std::vector<float>(20, 0.25F)}, {550, std::vector<float>(20, 0.5F)}};
+  writeExr(path, image);
+  EXPECT_NE(test::contentOf(path).find("S0.437,500000nm"), std::string::npos);
+  const XyzImage back = readExr(path);
+  ASSERT_EQ(back.spectrum.size(), 2U);
+  EXPECT_EQ(back.spectrum[0].wavelength_nm, 437.5);
+  EXPECT_EQ(back.spectrum[1].values, image.spectrum[1].values);
+  EXPECT_EQ(back.attributes.at("emissiveUnits"), "W.m^-2.sr^-1.nm^-1");
+}
+
+// R, G, B as other programs write them: Rec. 709 unless the file says otherwise, relative unless it has a white.
+TEST(Exr, RgbOfOtherProgramsBecomesXyz) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "view.exr";
+  XyzImage image = testImage(4, 4);
+  image.halfWidth.clear();
+  for (auto* plane : {&image.x, &image.y, &image.z}) std::fill(plane->begin(), plane->end(), 1.0F);
+  writeExr(path.string(), image);
+  std::string bytes = test::contentOf(path);
+  const std::size_t channels = bytes.find("chlist");
+  // The channel list is X, Y, Z in this order: the same bytes are B, G, R.
+  for (const auto& [from, to] : {std::pair("X", 'B'), std::pair("Y", 'G'), std::pair("Z", 'R')})
+    bytes[bytes.find(std::string(from) + '\0', channels)] = to;
+  std::string plain = bytes;
+  for (const char* name : {"chromaticities", "whiteLuminance", "photometricUnits"})
+    plain[plain.find(name)] = 'q';  // unknown attributes are passed over
+  const XyzImage white = readExr(folder.write("rgb.exr", plain).string());
+  EXPECT_EQ(white.attributes.at(unitsAttribute), "relative");
+  EXPECT_NEAR(white.x[0], 0.3127F / 0.3290F, 1e-5F);
+  EXPECT_NEAR(white.y[0], 1, 1e-6F);
+  // With the chromaticities of X, Y, Z themselves the numbers stay.
+  const XyzImage same = readExr(folder.write("same.exr", bytes).string());
+  EXPECT_NEAR(same.x[0], 1, 1e-6F);
+  EXPECT_EQ(same.attributes.at(unitsAttribute), "cd/m2");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "image/xyz_image.h"
+#include "image/exr.h"
 #include "pipeline/stages.h"
 #include "support/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "image/xyz_image.h"
+#include "image/exr.h"
 #include "pipeline/stages.h"
 #include "spectrum/colour_difference.h"
 #include "support/temporary_folder.h"
