@@ -40,12 +40,12 @@ bool readAll(int descriptor, Clock::time_point deadline, std::string& text) {
 
 }  // namespace
 
-ProcessEnd runHelper(const std::string& program, const std::vector<std::string>& arguments, double timeLimit_s) {
-  ProcessEnd end;
+StartedProcess startProcess(const std::string& program, const std::vector<std::string>& arguments, bool ownGroup) {
+  StartedProcess started;
   std::array<int, 2> pipeEnds{};
   if (pipe2(pipeEnds.data(), O_CLOEXEC) != 0) {
-    end.errors = std::strerror(errno);
-    return end;
+    started.failure = std::strerror(errno);
+    return started;
   }
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -58,32 +58,50 @@ ProcessEnd runHelper(const std::string& program, const std::vector<std::string>&
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, pipeEnds[1], 2);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  if (ownGroup) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = 0;
-  const int failed = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+  const int failed = posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(pipeEnds[1]);
   if (failed != 0) {
     close(pipeEnds[0]);
-    end.errors = std::strerror(failed);
+    started.failure = std::strerror(failed);
+    return started;
+  }
+  started.id = child;
+  started.errors = pipeEnds[0];
+  return started;
+}
+
+ProcessEnd endOf(int id) {
+  ProcessEnd end;
+  if (id <= 0) return end;
+  int status = 0;
+  while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
+  }
+  end.how = WIFSIGNALED(status) ? ProcessEnd::How::killed : ProcessEnd::How::exited;
+  end.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+  return end;
+}
+
+ProcessEnd runHelper(const std::string& program, const std::vector<std::string>& arguments, double timeLimit_s) {
+  const StartedProcess child = startProcess(program, arguments, false);
+  ProcessEnd end;
+  if (child.id == 0) {
+    end.errors = child.failure;
     return end;
   }
-
   const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeLimit_s));
-  const bool inTime = readAll(pipeEnds[0], Clock::now() + limit, end.errors);
-  close(pipeEnds[0]);
-  if (!inTime) kill(child, SIGKILL);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!inTime) {
-    end.how = ProcessEnd::How::timedOut;
-  } else if (WIFSIGNALED(status)) {
-    end.how = ProcessEnd::How::killed;
-    end.code = WTERMSIG(status);
-  } else {
-    end.how = ProcessEnd::How::exited;
-    end.code = WEXITSTATUS(status);
-  }
+  std::string errors;
+  const bool inTime = readAll(child.errors, Clock::now() + limit, errors);
+  close(child.errors);
+  if (!inTime) kill(child.id, SIGKILL);
+  end = endOf(child.id);
+  if (!inTime) end.how = ProcessEnd::How::timedOut;
+  end.errors = std::move(errors);
   return end;
 }
 

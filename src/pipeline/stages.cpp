@@ -25,6 +25,9 @@ const std::vector<Stage>& stages() {
       probeStage(),
       compareStage(),
 
+      // many projects
+      verifyStage(),
+
       // files on their own
       luminaireStage(),
       spectrumStage(),

@@ -102,7 +102,7 @@ TEST(Usage, AnOptionThatTheVerbCannotObeyIsRefusedAndNotIgnored) {
   EXPECT_TRUE(contains(accuracy.err, "--accuracy")) << accuracy.err;
   const Outcome resume = goniolux({"check", "somewhere", "--resume"});
   EXPECT_EQ(resume.exitCode, 2);
-  EXPECT_TRUE(contains(resume.err, "not supported yet: --resume")) << resume.err;
+  EXPECT_TRUE(contains(resume.err, "has no option --resume")) << resume.err;
 }
 
 TEST(Usage, TooFewAndTooManyInputsAreRefused) {

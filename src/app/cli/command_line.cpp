@@ -50,9 +50,14 @@ void addOption(CLI::App& parser, const std::string& names, const std::string& ke
   option->allow_extra_args(false);
 }
 
+// A key of one letter is a short option: -j.
+std::string dashed(const std::string& key) {
+  return (key.size() == 1 ? "-" : "--") + key;
+}
+
 std::vector<std::string> optionNames(const Stage& stage) {
   std::vector<std::string> names;
-  for (const Parameter& parameter : stage.options) names.push_back("--" + parameter.key);
+  for (const Parameter& parameter : stage.options) names.push_back(dashed(parameter.key));
   for (const CommonOption& option : commonOptions())
     if (applies(option, stage)) names.push_back("--" + option.parameter.key);
   return names;
@@ -63,7 +68,6 @@ void refuseUnknownOptions(const Stage& stage, const std::vector<std::string>& re
   for (const std::string& argument : remaining) {
     if (argument == "--") continue;  // what ends the options; CLI11 hands it over as well
     const std::string name = argument.substr(0, argument.find('='));
-    if (name == "--resume") usageError("not supported yet: --resume; run the job again without it");
     for (const CommonOption& option : commonOptions())
       if (name == "--" + option.parameter.key)
         usageError(
@@ -146,7 +150,12 @@ void readCommonOptions(const Texts& texts, CommandLine& line) {
 
 void readOwnOptions(const Stage& stage, const Texts& texts, CommandLine& line) {
   for (const Parameter& parameter : stage.options) {
-    const std::string option = "--" + parameter.key;
+    const std::string option = dashed(parameter.key);
+    if (parameter.kind == ParameterKind::boolean) {
+      if (const auto given = texts.flags.find(parameter.key); given != texts.flags.end() && given->second)
+        line.request.options[parameter.key] = "true";
+      continue;
+    }
     const auto text = only(texts, parameter.key);
     if (text) {
       if (parameter.kind == ParameterKind::number || parameter.kind == ParameterKind::length)
@@ -165,7 +174,12 @@ CommandLine parseVerb(const Stage& stage, const std::vector<std::string>& argume
   parser.allow_extras();
   Texts texts;
   parser.add_option("inputs", texts.inputs);
-  for (const Parameter& parameter : stage.options) addOption(parser, "--" + parameter.key, parameter.key, texts);
+  for (const Parameter& parameter : stage.options) {
+    if (parameter.kind == ParameterKind::boolean)
+      parser.add_flag(dashed(parameter.key), texts.flags[parameter.key]);
+    else
+      addOption(parser, dashed(parameter.key), parameter.key, texts);
+  }
   for (const CommonOption& option : commonOptions()) {
     if (!applies(option, stage)) continue;
     const std::string& key = option.parameter.key;

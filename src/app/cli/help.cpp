@@ -87,7 +87,10 @@ Row ownRow(const Parameter& parameter) {
   std::string text = parameter.title;
   if (!text.empty() && !parameter.help.empty()) text += "; ";
   text += parameter.help;
-  return {fmt::format("    --{} {}", parameter.key, valueName(parameter)), details(parameter, text)};
+  const std::string value = parameter.kind == core::ParameterKind::boolean ? "" : " " + valueName(parameter);
+  const std::string name =
+      parameter.key.size() == 1 ? fmt::format("-{} N", parameter.key) : fmt::format("    --{}{}", parameter.key, value);
+  return {name, details(parameter, text)};
 }
 
 Row commonRow(const CommonOption& option) {
