@@ -32,50 +32,6 @@ void addCircle(std::vector<Vec3>& footprint, const Vec3& center, const Vec3& x, 
   }
 }
 
-LuminaireOutline luminaireOutline(const scene::Luminaire& luminaire) {
-  using Shape = emitter::Opening::Shape;
-  LuminaireOutline outline{luminaire.name, luminaire.type, luminaire.center, luminaire.frame.aim, {}};
-  const emitter::Opening& opening = luminaire.opening;
-  const Vec3 center = luminaire.center;
-  const emitter::OpeningAxes axes = emitter::axesOf(opening, luminaire.frame);
-  const Vec3 radii = 0.5 * emitter::diametersOf(opening);
-  switch (opening.shape) {
-    case Shape::point:
-      break;
-    case Shape::rectangle:
-    case Shape::box:
-      addPolygon(outline.footprint, center, axes.x * (opening.length / 2), axes.y * (opening.width / 2));
-      break;
-    case Shape::disc:
-    case Shape::cylinder:
-      addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
-      break;
-    case Shape::sphere:
-      addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
-      break;
-    case Shape::revolution: {
-      double radius = 0;
-      for (const core::Vec2& point : opening.profile) radius = std::max(radius, point.x);
-      addCircle(outline.footprint, center, luminaire.frame.c0, luminaire.frame.c90, radius);
-      break;
-    }
-    case Shape::line:
-      outline.footprint = {center - opening.axis * (opening.length / 2), center + opening.axis * (opening.length / 2)};
-      break;
-    case Shape::tube: {
-      const double planLength = std::hypot(opening.axis.x, opening.axis.y);
-      if (planLength < 1e-6) {  // upright: its cross-section
-        addCircle(outline.footprint, center, {1, 0, 0}, {0, 1, 0}, opening.diameter / 2);
-      } else {
-        const Vec3 across(-opening.axis.y / planLength, opening.axis.x / planLength, 0);
-        addPolygon(outline.footprint, center, opening.axis * (opening.length / 2), across * (opening.diameter / 2));
-      }
-      break;
-    }
-  }
-  return outline;
-}
-
 Box boxOf(const std::vector<Triangle>& triangles) {
   Box box;
   for (const Triangle& triangle : triangles) {
@@ -147,6 +103,50 @@ std::vector<Segment> segments(const Value& list) {
 
 }  // namespace
 
+LuminaireOutline outlineOf(const scene::Luminaire& luminaire) {
+  using Shape = emitter::Opening::Shape;
+  LuminaireOutline outline{luminaire.name, luminaire.type, luminaire.center, luminaire.frame.aim, {}};
+  const emitter::Opening& opening = luminaire.opening;
+  const Vec3 center = luminaire.center;
+  const emitter::OpeningAxes axes = emitter::axesOf(opening, luminaire.frame);
+  const Vec3 radii = 0.5 * emitter::diametersOf(opening);
+  switch (opening.shape) {
+    case Shape::point:
+      break;
+    case Shape::rectangle:
+    case Shape::box:
+      addPolygon(outline.footprint, center, axes.x * (opening.length / 2), axes.y * (opening.width / 2));
+      break;
+    case Shape::disc:
+    case Shape::cylinder:
+      addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
+      break;
+    case Shape::sphere:
+      addCircle(outline.footprint, center, axes.x * radii.x, axes.y * radii.y, 1);
+      break;
+    case Shape::revolution: {
+      double radius = 0;
+      for (const core::Vec2& point : opening.profile) radius = std::max(radius, point.x);
+      addCircle(outline.footprint, center, luminaire.frame.c0, luminaire.frame.c90, radius);
+      break;
+    }
+    case Shape::line:
+      outline.footprint = {center - opening.axis * (opening.length / 2), center + opening.axis * (opening.length / 2)};
+      break;
+    case Shape::tube: {
+      const double planLength = std::hypot(opening.axis.x, opening.axis.y);
+      if (planLength < 1e-6) {  // upright: its cross-section
+        addCircle(outline.footprint, center, {1, 0, 0}, {0, 1, 0}, opening.diameter / 2);
+      } else {
+        const Vec3 across(-opening.axis.y / planLength, opening.axis.x / planLength, 0);
+        addPolygon(outline.footprint, center, opening.axis * (opening.length / 2), across * (opening.diameter / 2));
+      }
+      break;
+    }
+  }
+  return outline;
+}
+
 Outline outlineOf(const project::Project& project) {
   Outline outline;
   outline.project = project.name;
@@ -164,7 +164,7 @@ Outline outlineOf(const project::Project& project) {
     }
   }
   for (const scene::Luminaire& luminaire : project.environment.luminaires) {
-    outline.luminaires.push_back(luminaireOutline(luminaire));
+    outline.luminaires.push_back(outlineOf(luminaire));
     if (objects.empty()) whole.add(luminaire.center);
   }
   if (whole.low.x <= whole.high.x) {

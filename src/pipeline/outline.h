@@ -33,6 +33,8 @@ struct Outline {
 };
 
 Outline outlineOf(const project::Project& project);
+/// One luminaire's part of it.
+LuminaireOutline outlineOf(const scene::Luminaire& luminaire);
 
 /// The document outline.json (format "goniolux-outline", version 1). Lengths are rounded to micrometres.
 core::Value toJson(const Outline& outline);

@@ -65,6 +65,7 @@ struct Key {
   std::vector<std::string> planned = {};  ///< Form::choice: what the format knows but this version refuses, saying so
   const Section* section = nullptr;       ///< Form::section, Form::sections
   bool isPlanned = false;                 ///< the key as a whole is refused with "not supported yet"
+  std::string unit = {};                  ///< of a number that has one whatever the project's units: "lm"
 };
 
 struct Section {

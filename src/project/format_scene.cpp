@@ -21,7 +21,7 @@ Section materialSection(std::vector<Key> parameters) {
   std::vector<Key> keys{{.name = "model", .form = Form::choice, .help = "reflection model", .required = true}};
   keys.insert(keys.end(), parameters.begin(), parameters.end());
   keys.push_back(
-      {.name = "exitance_lm_m2", .form = Form::number, .help = "diffuse light that the surface emits", .minimum = 0});
+      {.name = "exitance_lm_m2", .form = Form::number, .help = "diffuse light that the surface emits", .minimum = 0, .unit = "lm/m²"});
   keys.push_back({.name = "spectrum", .form = Form::source, .help = "of the emission", .minimum = 0});
   return {"a material", std::move(keys)};
 }
@@ -66,7 +66,8 @@ Key keyOf(const core::Parameter& parameter) {
           .required = parameter.required,
           .minimum = parameter.minimum,
           .maximum = parameter.maximum,
-          .minimumIsAllowed = parameter.minimumIsAllowed};
+          .minimumIsAllowed = parameter.minimumIsAllowed,
+          .unit = parameter.unit};
 }
 
 }  // namespace
@@ -126,7 +127,8 @@ Section objectSection(const geometry::ObjectType& type) {
                             .required = parameter.required,
                             .minimum = parameter.minimum,
                             .maximum = parameter.maximum,
-                            .minimumIsAllowed = parameter.minimumIsAllowed});
+                            .minimumIsAllowed = parameter.minimumIsAllowed,
+                            .unit = parameter.unit});
   }
   return section;
 }
@@ -163,7 +165,7 @@ const Section& rotationSection() {
   static const Section section{
       "a rotation",
       {{.name = "axis", .form = Form::direction, .help = "right-handed about it", .required = true},
-       {.name = "degrees", .form = Form::number, .help = "angle", .required = true},
+       {.name = "degrees", .form = Form::number, .help = "angle", .required = true, .unit = "°"},
        {.name = "center", .form = Form::point, .help = "a point of the axis; default the origin"}}};
   return section;
 }
@@ -176,19 +178,21 @@ const Section& luminaireSection() {
        {.name = "position", .form = Form::point, .help = "centre of the opening", .required = true},
        {.name = "aim", .form = Form::direction, .help = "direction of gamma = 0; default [0, 0, -1]"},
        {.name = "c0", .form = Form::direction, .help = "direction of the plane C0; default [1, 0, 0]"},
-       {.name = "turn", .form = Form::number, .help = "degrees about aim, right-handed"},
+       {.name = "turn", .form = Form::number, .help = "degrees about aim, right-handed", .unit = "°"},
        {.name = "array", .form = Form::section, .help = "several of it in rows", .section = &arraySection()},
        {.name = "spectrum", .form = Form::source, .help = "relative; default CIE E (equal energy)", .minimum = 0},
        {.name = "flux",
         .form = Form::number,
         .help = "lm that leave one luminaire",
         .minimum = 0,
-        .minimumIsAllowed = false},
+        .minimumIsAllowed = false,
+        .unit = "lm"},
        {.name = "lamp_flux",
         .form = Form::number,
         .help = "lm of the lamps, instead of the file's",
         .minimum = 0,
-        .minimumIsAllowed = false},
+        .minimumIsAllowed = false,
+        .unit = "lm"},
        {.name = "maintenance",
         .form = Form::number,
         .help = "factor; default 1",

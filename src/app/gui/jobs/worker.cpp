@@ -1,0 +1,27 @@
+#include "app/gui/jobs/worker.h"
+
+#include <utility>
+
+namespace goniolux::gui {
+
+Worker::Worker(const QString& name, QObject* parent) : QObject(parent), place_(new QObject) {
+  thread_.setObjectName(name);
+  place_->moveToThread(&thread_);
+  connect(&thread_, &QThread::finished, place_, &QObject::deleteLater);
+  thread_.start();
+}
+
+Worker::~Worker() {
+  thread_.quit();
+  thread_.wait();
+}
+
+void Worker::run(std::function<void()> work) {
+  post(place_, std::move(work));
+}
+
+void post(QObject* receiver, std::function<void()> work) {
+  QMetaObject::invokeMethod(receiver, [task = std::move(work)] { task(); }, Qt::QueuedConnection);
+}
+
+}  // namespace goniolux::gui

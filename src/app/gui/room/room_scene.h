@@ -1,0 +1,42 @@
+// RoomScene: what the 3-D view shows of a project, as data for VTK: surfaces coloured by their material, edges,
+// luminaires. Made off the GUI thread, then read-only. World frame of the project, metres.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+#include "plot/palette.h"
+#include "project/project.h"
+
+namespace goniolux::gui {
+
+/// One luminaire as it is shown and picked.
+struct LuminaireMark {
+  std::string name;
+  std::string pointer;  ///< of its entry in the document: an array's luminaires share it
+  core::Vec3 position{0}, aim{0, 0, -1};
+  std::vector<core::Vec3> footprint;  ///< closed polygon; a small square for a point, a thin one for a line
+};
+
+struct RoomScene {
+  vtkSmartPointer<vtkPolyData> room;     ///< surfaces that are seen from inside only; cell array "object"
+  vtkSmartPointer<vtkPolyData> objects;  ///< all others
+  vtkSmartPointer<vtkPolyData> edges;    ///< feature edges as lines
+  std::vector<LuminaireMark> luminaires;
+  std::vector<std::string> objectPointers;  ///< by the number in the cell array "object"
+  core::Vec3 low{0}, high{1};               ///< box around everything
+  [[nodiscard]] double size() const { return glm::length(high - low); }
+  [[nodiscard]] core::Vec3 middle() const { return 0.5 * (low + high); }
+};
+
+/// `text` is what the project was read from: places in it become pointers.
+RoomScene roomSceneOf(const project::Project& project, const std::string& text);
+
+/// The colour of a finish in daylight on an sRGB display.
+plot::Rgb colourOf(const material::Material& material);
+
+}  // namespace goniolux::gui

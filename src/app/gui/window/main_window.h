@@ -1,0 +1,118 @@
+// MainWindow: the one window of the studio: start page, or a project with its views and panels.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/gui/document/checked_project.h"
+#include "app/gui/document/document.h"
+#include "app/gui/jobs/calculations.h"
+#include "app/gui/jobs/job_queue.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QTabWidget;
+class QToolBar;
+
+namespace goniolux::gui {
+
+class JobsPanel;
+class PlanPage;
+class ProblemsPanel;
+class ProjectTree;
+class PropertyPanel;
+class ResultsPanel;
+class RoomPage;
+class StartPage;
+class TextPanel;
+
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  /// Opens a project; what is wrong with the path is shown, and the window stays as it is.
+  bool openProject(const QString& path);
+  [[nodiscard]] Document& document() { return document_; }
+  [[nodiscard]] JobQueue& jobs() { return *jobs_; }
+  [[nodiscard]] const ProjectChecker& checker() const { return checker_; }
+  [[nodiscard]] RoomPage& roomPage() { return *roomPage_; }
+  [[nodiscard]] PlanPage& planPage() { return *planPage_; }
+  [[nodiscard]] ResultsPanel& results() { return *resultsPanel_; }
+  [[nodiscard]] ProjectTree& tree() { return *tree_; }
+  [[nodiscard]] PropertyPanel& properties() { return *properties_; }
+  [[nodiscard]] ProblemsPanel& problems() { return *problems_; }
+  [[nodiscard]] QTabWidget& pages() { return *pages_; }
+  /// The results that are shown; null when there are none, or not of the project as it is now.
+  [[nodiscard]] std::shared_ptr<const project::Results> currentResults() const;
+
+  Job* calculate();
+  bool save();
+  bool saveAs(const QString& folder);
+  void setTheme(const QString& name);
+  /// Asks nothing when it is closed: for tests.
+  void closeWithoutAsking();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  // main_window.cpp: what there is
+  void buildPages();
+  void buildPanels();
+  void buildStatusBar();
+  void connectPanels();
+  // main_window_actions.cpp: menus and toolbar
+  void buildActions();
+  void buildAccuracy(QToolBar& bar);
+  void updateActions();
+  // main_window_project.cpp: opening, saving, what was checked
+  void showOpened();
+  void showChecked();
+  void updateTitle();
+  void choose(const std::vector<std::string>& pointers);
+  void moveEntry(const QString& pointer, const core::Vec3& metres);
+  void openDialog();
+  bool mayClose();
+  void rememberRecent(const QString& path);
+  void showFailure(const QString& title, const QString& message);
+  // main_window_jobs.cpp: calculating
+  void showGrids(quint64 revision, const GridsOutcome& outcome);
+  void loadEarlierResults();
+  void saveResults();
+  void showProgress();
+  [[nodiscard]] Source source() const;
+
+  Document document_;
+  ProjectChecker checker_;
+  std::unique_ptr<JobQueue> jobs_;
+  std::unique_ptr<Worker> overlays_;
+
+  QStackedWidget* stack_ = nullptr;
+  StartPage* start_ = nullptr;
+  QTabWidget* pages_ = nullptr;
+  RoomPage* roomPage_ = nullptr;
+  PlanPage* planPage_ = nullptr;
+  ProjectTree* tree_ = nullptr;
+  PropertyPanel* properties_ = nullptr;
+  ResultsPanel* resultsPanel_ = nullptr;
+  ProblemsPanel* problems_ = nullptr;
+  JobsPanel* jobsPanel_ = nullptr;
+  TextPanel* text_ = nullptr;
+  QLabel* pointed_ = nullptr;
+  QLabel* health_ = nullptr;
+  QLabel* progressText_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QComboBox* accuracy_ = nullptr;
+  QAction *save_ = nullptr, *saveAs_ = nullptr, *calculate_ = nullptr, *pause_ = nullptr, *stop_ = nullptr;
+
+  GridsOutcome outcome_;
+  quint64 outcomeRevision_ = 0;
+  bool needsFraming_ = false, asksBeforeClosing_ = true;
+};
+
+}  // namespace goniolux::gui

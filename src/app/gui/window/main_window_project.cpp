@@ -1,0 +1,192 @@
+// The main window's project: opening, saving, and what the engine's reader says while one edits.
+#include <QCloseEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <cmath>
+
+#include "app/gui/document/json_pointer.h"
+#include "app/gui/forms/property_panel.h"
+#include "app/gui/window/jobs_panel.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/window/plan_page.h"
+#include "app/gui/window/problems_panel.h"
+#include "app/gui/window/project_tree.h"
+#include "app/gui/window/results_panel.h"
+#include "app/gui/window/room_page.h"
+#include "app/gui/window/start_page.h"
+#include "app/gui/window/text_panel.h"
+#include "app/gui/window/theme.h"
+
+namespace goniolux::gui {
+
+using core::Value;
+
+bool MainWindow::openProject(const QString& path) {
+  try {
+    document_.open(path);
+    rememberRecent(document_.folder());
+    return true;
+  } catch (const std::exception& error) {
+    showFailure(tr("The project cannot be opened"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void MainWindow::openDialog() {
+  if (!mayClose()) return;
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a project"), QSettings().value("folder").toString(),
+                                                    tr("Goniolux projects (project.json *.json);;All files (*)"));
+  if (!file.isEmpty()) openProject(file);
+}
+
+void MainWindow::rememberRecent(const QString& path) {
+  QSettings settings;
+  QStringList recent = settings.value("recent").toStringList();
+  recent.removeAll(path);
+  recent.prepend(path);
+  while (recent.size() > 12) recent.removeLast();
+  settings.setValue("recent", recent);
+  settings.setValue("folder", QFileInfo(path).path());
+  start_->setRecent(recent);
+}
+
+void MainWindow::showOpened() {
+  const bool isOpen = document_.isOpen();
+  stack_->setCurrentIndex(isOpen ? 1 : 0);
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setVisible(isOpen);
+  if (isOpen) findChild<QDockWidget*>("resultsDock")->raise();
+  jobs_->stopAll();
+  outcome_ = {};
+  outcomeRevision_ = 0;
+  needsFraming_ = true;
+  resultsPanel_->show(nullptr, true);
+  planPage_->clear();
+  roomPage_->showOverlay(nullptr);
+  if (!isOpen) {
+    problems_->show({});
+    health_->clear();
+  }
+  updateTitle();
+  if (isOpen) loadEarlierResults();
+}
+
+void MainWindow::showChecked() {
+  const CheckedProject& checked = *checker_.latest();
+  problems_->show(checked.diagnostics);
+  QString words;
+  if (problems_->errors() > 0) {
+    words = tr("%n error(s)", nullptr, problems_->errors());
+  } else if (problems_->warnings() > 0) {
+    words = tr("%n warning(s)", nullptr, problems_->warnings());
+  } else {
+    words = tr("no problems");
+  }
+  const QColor colour = problems_->errors() > 0     ? theme().fail
+                        : problems_->warnings() > 0 ? theme().undecided
+                                                    : theme().pass;
+  health_->setText(QString("<span style='color:%1'>● </span>%2").arg(colour.name(), words));
+  if (checked.scene) {
+    roomPage_->showProject(checked, needsFraming_);
+    needsFraming_ = false;
+  } else if (needsFraming_) {
+    // Nothing can be drawn yet: what is wrong comes first.
+    auto* dock = findChild<QDockWidget*>("problemsDock");
+    dock->show();
+    dock->raise();
+  }
+  updateTitle();
+}
+
+void MainWindow::updateTitle() {
+  setWindowTitle(document_.isOpen() ? document_.title() + (document_.isModified() ? " *" : "") + " – Goniolux Studio"
+                                    : QString("Goniolux Studio"));
+  updateActions();
+}
+
+void MainWindow::choose(const std::vector<std::string>& pointers) {
+  properties_->showEntries(pointers);
+  roomPage_->view().select(pointers.empty() ? std::string() : pointers.front());
+}
+
+void MainWindow::moveEntry(const QString& pointer, const core::Vec3& metres) {
+  const std::string place = under(pointer.toStdString(), "position");
+  const Value* position = document_.find(place);
+  if (position == nullptr || !position->isArray() || position->array().size() != 3) return;
+  const Value* units = document_.find("/units");
+  const std::string unit = units != nullptr && units->isString() ? units->string() : "m";
+  const double perMetre = unit == "mm" ? 1000 : unit == "cm" ? 100 : unit == "ft" ? 1 / 0.3048 : unit == "in" ? 1 / 0.0254 : 1;
+  Value::Array moved;
+  for (int k = 0; k < 3; ++k) {
+    const Value& old = position->array()[static_cast<std::size_t>(k)];
+    if (!old.isNumber()) return;
+    moved.emplace_back(std::round((old.number() + metres[k] * perMetre) * 1e6) / 1e6);
+  }
+  document_.set(place, moved, tr("Move a luminaire"));
+}
+
+bool MainWindow::save() {
+  if (!document_.isOpen()) return false;
+  text_->commit();
+  try {
+    document_.save();
+    saveResults();
+    statusBar()->showMessage(tr("Saved."), 3000);
+    return true;
+  } catch (const std::exception& error) {
+    showFailure(tr("The project cannot be saved"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+bool MainWindow::saveAs(const QString& given) {
+  QString folder = given;
+  if (folder.isEmpty())
+    folder = QFileDialog::getExistingDirectory(this, tr("Folder for the project"), document_.folder());
+  if (folder.isEmpty()) return false;
+  try {
+    document_.saveAs(folder);
+    rememberRecent(document_.folder());
+    return true;
+  } catch (const std::exception& error) {
+    showFailure(tr("The project cannot be saved"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+bool MainWindow::mayClose() {
+  if (!document_.isOpen() || !document_.isModified() || !asksBeforeClosing_) return true;
+  const auto answer = QMessageBox::question(
+      this, tr("Unsaved changes"), tr("“%1” has changes that are not saved. Save them?").arg(document_.title()),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Save) return save();
+  return answer == QMessageBox::Discard;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayClose()) return event->ignore();
+  jobs_->stopAll();
+  if (asksBeforeClosing_) {
+    QSettings settings;
+    settings.setValue("geometry", saveGeometry());
+  }
+  event->accept();
+}
+
+void MainWindow::showFailure(const QString& title, const QString& message) {
+  jobsPanel_->log(title + ": " + message);
+  statusBar()->showMessage(title + ": " + message.section('\n', 0, 0), 15000);
+  if (!asksBeforeClosing_) return;
+  auto* box = new QMessageBox(QMessageBox::Warning, title, message, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  box->open();
+}
+
+}  // namespace goniolux::gui
