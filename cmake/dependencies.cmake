@@ -35,6 +35,7 @@ goniolux_find(pkg-config PkgConfig)
 goniolux_find_module(libjsoncpp-dev JSONCPP jsoncpp)
 goniolux_find_module(liblcms2-dev LCMS2 lcms2)
 goniolux_find_module(libegl-dev EGL egl)
+goniolux_find(qtbase5-dev Qt5 5.15 COMPONENTS Widgets Test)
 goniolux_find(libgtest-dev GTest CONFIG)
 goniolux_find(libbenchmark-dev benchmark CONFIG)
 

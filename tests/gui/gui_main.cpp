@@ -1,13 +1,13 @@
 // The driven tests' program. Without a display it starts itself again under xvfb-run; without that, every test skips.
+#include <QVTKOpenGLNativeWidget.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <vtkObject.h>
 #include <QApplication>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
-#include <QVTKOpenGLNativeWidget.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
-#include <vtkObject.h>
 
 #include <cstdlib>
 #include <vector>

@@ -25,7 +25,8 @@ class StudioFixture : public testing::Test {
  protected:
   void SetUp() override {
     if (!displayIsThere())
-      GTEST_SKIP() << "no display: xvfb-run and xauth are not installed (packages xvfb and xauth), and driven tests need one";
+      GTEST_SKIP()
+          << "no display: xvfb-run and xauth are not installed (packages xvfb and xauth), and driven tests need one";
     window_ = std::make_unique<gui::MainWindow>();
     window_->resize(1440, 900);
     window_->show();
@@ -57,6 +58,17 @@ class StudioFixture : public testing::Test {
     return to;
   }
 
+  /// Another accuracy in a copied project's file: tests of the interface need no exact numbers.
+  static void setAccuracy(const QString& folder, const QByteArray& from, const QByteArray& to) {
+    QFile file(folder + "/project.json");
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    QByteArray text = file.readAll();
+    file.close();
+    text.replace("\"grid\": \"" + from + "\"", "\"grid\": \"" + to + "\"");
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+
   /// Writes what the window shows into the folder of test artefacts (and of the guide, when
   /// GONIOLUX_UPDATE_PAGES is set).
   void screenshot(const QString& name) {
@@ -64,7 +76,8 @@ class StudioFixture : public testing::Test {
     const QPixmap picture = window_->grab();
     ASSERT_FALSE(picture.isNull());
     QStringList folders{QString(GONIOLUX_BINARY_DIR) + "/studio-screenshots"};
-    if (qEnvironmentVariableIsSet("GONIOLUX_UPDATE_PAGES")) folders << QString(GONIOLUX_SOURCE_DIR) + "/docs/studio/images";
+    if (qEnvironmentVariableIsSet("GONIOLUX_UPDATE_PAGES"))
+      folders << QString(GONIOLUX_SOURCE_DIR) + "/docs/studio/images";
     for (const QString& folder : folders) {
       QDir().mkpath(folder);
       ASSERT_TRUE(picture.save(folder + "/" + name + ".png"));

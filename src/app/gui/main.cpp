@@ -1,9 +1,9 @@
 // goniolux-studio: the interface. `goniolux-studio [PROJECT]`
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkObject.h>
 #include <QApplication>
 #include <QSettings>
 #include <QSurfaceFormat>
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkObject.h>
 
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/theme.h"

@@ -1,5 +1,5 @@
-// CheckedProject: what the engine's own reader makes of the document's text: the project, or why there is none, and what
-// the 3-D view shows of it. Made on a thread of its own while one types.
+// CheckedProject: what the engine's own reader makes of the document's text: the project, or why there is none, and
+// what the 3-D view shows of it. Made on a thread of its own while one types.
 #pragma once
 
 #include <QObject>

@@ -46,8 +46,8 @@ class Document final : public QObject {
   /// Replaces the whole text; consecutive replacements by typing become one step.
   void setText(const std::string& text, const QString& words, bool isTyping = false);
 
-  void save();                        ///< throws core::RunError
-  void saveAs(const QString& folder); ///< writes folder/project.json and goes on there; throws core::RunError
+  void save();                         ///< throws core::RunError
+  void saveAs(const QString& folder);  ///< writes folder/project.json and goes on there; throws core::RunError
   [[nodiscard]] QUndoStack& undoStack() { return undo_; }
   [[nodiscard]] bool isModified() const { return recovered_ || !undo_.isClean(); }
   /// Counts up with every change of the text.

@@ -93,8 +93,7 @@ Typed valueOf(const QString& given, const Key& key) {
   if (text.startsWith('[') || text.startsWith('{') || text.startsWith('"')) {
     core::Diagnostics diagnostics;
     Value value = core::parseJson(text.toStdString(), "", diagnostics);
-    if (diagnostics.hasErrors())
-      return {std::nullopt, QString::fromStdString(diagnostics.all().front().message)};
+    if (diagnostics.hasErrors()) return {std::nullopt, QString::fromStdString(diagnostics.all().front().message)};
     return {std::move(value), {}};
   }
   if (isPlainText(key.form)) return {Value(text.toStdString()), {}};

@@ -21,7 +21,8 @@ void Worker::run(std::function<void()> work) {
 }
 
 void post(QObject* receiver, std::function<void()> work) {
-  QMetaObject::invokeMethod(receiver, [task = std::move(work)] { task(); }, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(
+      receiver, [task = std::move(work)] { task(); }, Qt::QueuedConnection);
 }
 
 }  // namespace goniolux::gui

@@ -87,7 +87,8 @@ void PlanView::draw() {
     return;
   }
   isBusy_ = true;
-  const double zoom = std::min({1.0, static_cast<double>(width()) / leastWidth, static_cast<double>(height()) / leastHeight});
+  const double zoom =
+      std::min({1.0, static_cast<double>(width()) / leastWidth, static_cast<double>(height()) / leastHeight});
   pipeline::MapOptions options;
   options.palette = palette_;
   options.banded = banded_;
@@ -99,8 +100,8 @@ void PlanView::draw() {
     drawn->layout = plot::layoutOf(drawn->map);
     drawn->halfWidths = grid->halfWidths;
     const double scale = zoom * dense;
-    drawn->picture = QImage(static_cast<int>(drawn->layout.width * scale), static_cast<int>(drawn->layout.height * scale),
-                            QImage::Format_RGB32);
+    drawn->picture = QImage(static_cast<int>(drawn->layout.width * scale),
+                            static_cast<int>(drawn->layout.height * scale), QImage::Format_RGB32);
     drawn->picture.fill(Qt::white);
     QPainter painter(&drawn->picture);
     painter.scale(scale, scale);
@@ -169,7 +170,8 @@ QString PlanView::exportTo(const QString& file) const {
     writer.setTitle(QString::fromStdString(drawn_->map.title));
     QPainter painter;
     if (!painter.begin(&writer)) return tr("%1 cannot be written; choose another folder.").arg(file);
-    painter.scale(static_cast<double>(writer.width()) / layout.width, static_cast<double>(writer.height()) / layout.height);
+    painter.scale(static_cast<double>(writer.width()) / layout.width,
+                  static_cast<double>(writer.height()) / layout.height);
     paintPage(painter, drawn_->map, layout);
     return {};
   }

@@ -15,9 +15,9 @@
 namespace goniolux::gui {
 
 struct GridOverlay {
-  vtkSmartPointer<vtkPolyData> colours;   ///< quads with colours
-  vtkSmartPointer<vtkPolyData> isolines;  ///< lines
-  std::optional<plot::ColourScale> scale; ///< nothing when there are no values
+  vtkSmartPointer<vtkPolyData> colours;    ///< quads with colours
+  vtkSmartPointer<vtkPolyData> isolines;   ///< lines
+  std::optional<plot::ColourScale> scale;  ///< nothing when there are no values
   std::string unit = "lx", title = "Illuminance";
 };
 

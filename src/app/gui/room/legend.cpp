@@ -40,7 +40,8 @@ void Legend::paintEvent(QPaintEvent*) {
   const int fields = static_cast<int>(edges.size()) - 1;
   for (int k = 0; k < fields; ++k) {
     const plot::Rgb c = scale.atFraction((k + 0.5) / fields);
-    const double y0 = bar.bottom() + 1 - (k + 1.0) * barHeight / fields, y1 = bar.bottom() + 1 - 1.0 * k * barHeight / fields;
+    const double y0 = bar.bottom() + 1 - (k + 1.0) * barHeight / fields,
+                 y1 = bar.bottom() + 1 - 1.0 * k * barHeight / fields;
     painter.fillRect(QRectF(bar.left(), y0, bar.width(), y1 - y0), QColor(c[0], c[1], c[2]));
   }
   painter.setPen(theme().border);

@@ -14,8 +14,7 @@ Vec3 OrbitCamera::back() const {
 }
 
 Vec3 OrbitCamera::up() const {
-  return {-std::sin(elevation_) * std::cos(azimuth_), -std::sin(elevation_) * std::sin(azimuth_),
-          std::cos(elevation_)};
+  return {-std::sin(elevation_) * std::cos(azimuth_), -std::sin(elevation_) * std::sin(azimuth_), std::cos(elevation_)};
 }
 
 double OrbitCamera::span() const {
@@ -36,15 +35,15 @@ void OrbitCamera::frame(const Vec3& low, const Vec3& high, Preset preset, double
   // Half extents of the box along the picture's axes, with some air around.
   double across = 0, upward = 0, along = 0;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 at =
-        Vec3((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y, (corner & 4) != 0 ? high.z : low.z) -
-        target_;
+    const Vec3 at = Vec3((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                         (corner & 4) != 0 ? high.z : low.z) -
+                    target_;
     across = std::max(across, std::abs(glm::dot(at, right())));
     upward = std::max(upward, std::abs(glm::dot(at, up())));
     along = std::max(along, std::abs(glm::dot(at, forward())));
   }
   const double half = std::max({upward, across / std::max(aspect, 0.1), 0.05}) * (parallel_ ? 1.12 : 1.0);
-  distance_ = half / std::tan(fov_ / 2) + (parallel_ ? 0.0 : 0.35 * along);
+  distance_ = half / std::tan(fov_ / 2) + (parallel_ ? 0.0 : 0.9 * along);
 }
 
 void OrbitCamera::lookFrom(const Vec3& eye, const Vec3& target, double verticalFov) {

@@ -13,9 +13,9 @@ struct Ray {
 };
 
 struct Picked {
-  std::string pointer;   ///< the entry of the document
-  double distance = 0;   ///< along the ray, m
-  int luminaire = -1;    ///< index into RoomScene::luminaires; -1: an object
+  std::string pointer;  ///< the entry of the document
+  double distance = 0;  ///< along the ray, m
+  int luminaire = -1;   ///< index into RoomScene::luminaires; -1: an object
 };
 
 /// The first thing that the ray meets. Surfaces of the room count from inside only, as they are drawn. A luminaire is

@@ -46,7 +46,8 @@ RoomView::RoomView(QWidget* parent)
 RoomView::~RoomView() = default;
 
 void RoomView::buildActors() {
-  for (auto* actor : {&room_, &objects_, &edges_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_}) {
+  for (auto* actor :
+       {&room_, &objects_, &edges_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_}) {
     *actor = emptyActor();
     renderer_->AddActor(*actor);
   }
@@ -57,6 +58,10 @@ void RoomView::buildActors() {
   colours_->GetProperty()->SetOpacity(0.92);
   // Lines go before the surfaces that they bound.
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  for (vtkActor* lines : {edges_.Get(), rims_.Get(), chosen_.Get()})
+    lines->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -40);
+  for (vtkActor* surfaces : {room_.Get(), objects_.Get()})
+    surfaces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
 }
 
 void RoomView::applyColours() {
@@ -81,7 +86,8 @@ void RoomView::applyColours() {
 void RoomView::showScene(std::shared_ptr<const RoomScene> scene, bool frame) {
   scene_ = std::move(scene);
   if (!scene_) {
-    for (auto* actor : {&room_, &objects_, &edges_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_})
+    for (auto* actor :
+         {&room_, &objects_, &edges_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_})
       setData(**actor, nullptr);
     return update3d();
   }

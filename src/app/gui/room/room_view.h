@@ -2,9 +2,9 @@
 // mouse; a click selects, a drag of a selected luminaire moves it in its plane.
 #pragma once
 
-#include <QPoint>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkSmartPointer.h>
+#include <QPoint>
 
 #include <memory>
 #include <optional>

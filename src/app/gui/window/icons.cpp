@@ -48,8 +48,9 @@ const QMap<QString, QString>& drawings() {
       {"pass", "O 12 12 8.5 M 8 12.5 L 11 15.5 L 16.5 9"},
       {"fail", "O 12 12 8.5 M 9 9 L 15 15 M 15 9 L 9 15"},
       {"undecided", "O 12 12 8.5 M 8 12 L 16 12"},
-      {"light", "O 12 12 4 M 12 2 L 12 5 M 12 19 L 12 22 M 2 12 L 5 12 M 19 12 L 22 12 M 5 5 L 7 7 M 17 17 L 19 19 M "
-                "19 5 L 17 7 M 5 19 L 7 17"},
+      {"light",
+       "O 12 12 4 M 12 2 L 12 5 M 12 19 L 12 22 M 2 12 L 5 12 M 19 12 L 22 12 M 5 5 L 7 7 M 17 17 L 19 19 M "
+       "19 5 L 17 7 M 5 19 L 7 17"},
   };
   return map;
 }

@@ -76,7 +76,7 @@ void MainWindow::buildPanels() {
     return panel;
   };
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   auto* project = dock(tr("Project"), "projectDock", tree_, Qt::LeftDockWidgetArea);
   auto* properties = dock(tr("Properties"), "propertiesDock", properties_, Qt::RightDockWidgetArea);
   auto* results = dock(tr("Results"), "resultsDock", resultsPanel_, Qt::BottomDockWidgetArea);
@@ -86,6 +86,8 @@ void MainWindow::buildPanels() {
   tabifyDockWidget(results, problems);
   tabifyDockWidget(problems, jobs);
   tabifyDockWidget(jobs, text);
+  for (QDockWidget* panel : {results, problems, jobs, text})
+    panel->setTitleBarWidget(new QWidget);  // the tabs name them
   results->raise();
   setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
   resizeDocks({project, properties}, {280, 330}, Qt::Horizontal);
@@ -124,8 +126,9 @@ void MainWindow::connectPanels() {
   connect(tree_, &ProjectTree::chosen, this, &MainWindow::choose);
   connect(&roomPage_->view(), &RoomView::selected, this,
           [this](const QString& pointer) { tree_->select(pointer.toStdString()); });
-  connect(&roomPage_->view(), &RoomView::moved, this,
-          [this](const QString& pointer, double x, double y, double z) { moveEntry(pointer, {x, y, z}); });
+  connect(&roomPage_->view(), &RoomView::moved, this, [this](const QString& pointer, double x, double y, double z) {
+    moveEntry(pointer, {x, y, z});
+  });
   connect(&roomPage_->view(), &RoomView::pointed, pointed_, &QLabel::setText);
   connect(&planPage_->view(), &PlanView::pointed, pointed_, &QLabel::setText);
   connect(resultsPanel_, &ResultsPanel::gridChosen, planPage_, &PlanPage::setGrid);

@@ -57,9 +57,10 @@ void MainWindow::buildActions() {
   connect(make(edit, "", tr("&Remove"), QKeySequence::Delete), &QAction::triggered, tree_,
           &ProjectTree::removeSelection);
   QMenu* add = edit->addMenu(tr("&Add"));
-  const std::pair<const char*, QString> lists[] = {
-      {"luminaires", tr("Luminaire")}, {"objects", tr("Object")}, {"materials", tr("Material")}, {"grids", tr("Grid")},
-      {"observers", tr("Observer")},   {"views", tr("View")},     {"requirements", tr("Requirement")}};
+  const std::pair<const char*, QString> lists[] = {{"luminaires", tr("Luminaire")},    {"objects", tr("Object")},
+                                                   {"materials", tr("Material")},      {"grids", tr("Grid")},
+                                                   {"observers", tr("Observer")},      {"views", tr("View")},
+                                                   {"requirements", tr("Requirement")}};
   for (const auto& [list, title] : lists)
     connect(add->addAction(title), &QAction::triggered, this,
             [this, place = std::string("/") + list] { tree_->addEntry(place); });
@@ -108,8 +109,7 @@ void MainWindow::buildActions() {
   bar->addAction(calculate_);
   bar->addAction(pause_);
   bar->addAction(stop_);
-  for (QAction* wordless : {undo, redo, pause_, stop_})
-    wordless->setPriority(QAction::LowPriority);
+  for (QAction* wordless : {undo, redo, pause_, stop_}) wordless->setPriority(QAction::LowPriority);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   connect(help->addAction(tr("&About Goniolux Studio")), &QAction::triggered, this, [this] {
@@ -125,9 +125,11 @@ void MainWindow::buildAccuracy(QToolBar& bar) {
   accuracy_ = new QComboBox(&bar);
   accuracy_->setObjectName("accuracy");
   accuracy_->setAccessibleName(tr("Accuracy of illuminances"));
-  accuracy_->setToolTip(tr("The half-width that you are content with: at 95 % confidence the mean, the minimum and 95 % "
-                           "of the points of every grid are known to this share of their value."));
-  for (const char* accuracy : {"10 %", "5 %", "3 %", "2 %", "1 %", "0.5 %"}) accuracy_->addItem(QString("± ") + accuracy, accuracy);
+  accuracy_->setToolTip(
+      tr("The half-width that you are content with: at 95 % confidence the mean, the minimum and 95 % "
+         "of the points of every grid are known to this share of their value."));
+  for (const char* accuracy : {"10 %", "5 %", "3 %", "2 %", "1 %", "0.5 %"})
+    accuracy_->addItem(QString("± ") + accuracy, accuracy);
   bar.addWidget(accuracy_);
   connect(accuracy_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     document_.set("/settings/accuracy/grid", core::Value(accuracy_->currentData().toString().toStdString()),

@@ -121,7 +121,11 @@ void MainWindow::moveEntry(const QString& pointer, const core::Vec3& metres) {
   if (position == nullptr || !position->isArray() || position->array().size() != 3) return;
   const Value* units = document_.find("/units");
   const std::string unit = units != nullptr && units->isString() ? units->string() : "m";
-  const double perMetre = unit == "mm" ? 1000 : unit == "cm" ? 100 : unit == "ft" ? 1 / 0.3048 : unit == "in" ? 1 / 0.0254 : 1;
+  const double perMetre = unit == "mm"   ? 1000
+                          : unit == "cm" ? 100
+                          : unit == "ft" ? 1 / 0.3048
+                          : unit == "in" ? 1 / 0.0254
+                                         : 1;
   Value::Array moved;
   for (int k = 0; k < 3; ++k) {
     const Value& old = position->array()[static_cast<std::size_t>(k)];

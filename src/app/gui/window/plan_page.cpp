@@ -28,12 +28,14 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   bar->addSeparator();
   auto* colours = new QComboBox(bar);
   for (const plot::Palette& palette : plot::palettes())
-    colours->addItem(QString::fromStdString(palette.title.empty() ? palette.name : palette.title),
-                     QString::fromStdString(palette.name));
-  bar->addWidget(new QLabel(tr(" Colours  "), bar));
+    colours->addItem(QString::fromStdString(palette.name), QString::fromStdString(palette.name));
+  for (int i = 0; i < colours->count(); ++i)
+    colours->setItemData(i, QString::fromStdString(plot::palettes()[static_cast<std::size_t>(i)].title),
+                         Qt::ToolTipRole);
+  bar->addWidget(new QLabel(tr("  Colours  "), bar));
   bar->addWidget(colours);
   auto* banded = new QComboBox(bar);
-  banded->addItem(tr("one colour between isolux lines"), true);
+  banded->addItem(tr("in bands"), true);
   banded->addItem(tr("smooth"), false);
   bar->addWidget(banded);
   auto* space = new QWidget(bar);

@@ -32,7 +32,8 @@ QString titleOf(const Value& entry, std::size_t index) {
 
 QString detailOf(const Value& entry) {
   if (const Value* array = entry.find("array"))
-    if (const Value* counts = array->find("counts"); counts != nullptr && counts->isArray() && counts->array().size() == 2)
+    if (const Value* counts = array->find("counts");
+        counts != nullptr && counts->isArray() && counts->array().size() == 2)
       if (counts->array()[0].isNumber() && counts->array()[1].isNumber())
         return QString("%1 × %2").arg(counts->array()[0].number()).arg(counts->array()[1].number());
   for (const char* key : {"photometry", "model", "shape", "quantity"})
@@ -53,8 +54,11 @@ ProjectTree::ProjectTree(Document& document, const ProjectChecker& checker, QWid
   setUniformRowHeights(true);
   setContextMenuPolicy(Qt::CustomContextMenu);
   setFrameShape(QFrame::NoFrame);
-  header()->setStretchLastSection(true);
-  header()->resizeSection(0, 190);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setMinimumSectionSize(60);
+  header()->resizeSection(1, 92);
   connect(this, &QTreeWidget::customContextMenuRequested, this, &ProjectTree::showMenu);
   connect(this, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (!isRebuilding_) Q_EMIT chosen(selection());
@@ -250,21 +254,32 @@ Value newEntryFor(const std::string& list, const RoomScene* scene, const std::st
   const core::Vec3 m = 0.5 * (low + high);
   if (list == "/materials") return Value::Object{{"model", "lambert"}, {"diffuse", 0.5}};
   if (list == "/objects")
-    return Value::Object{{"name", name}, {"shape", "box"}, {"min", point(m.x - 0.5, m.y - 0.4, low.z)},
+    return Value::Object{{"name", name},
+                         {"shape", "box"},
+                         {"min", point(m.x - 0.5, m.y - 0.4, low.z)},
                          {"max", point(m.x + 0.5, m.y + 0.4, low.z + 0.75)}};
   if (list == "/luminaires")
-    return Value::Object{{"name", name}, {"photometry", "cosine"}, {"flux", 3000},
-                         {"position", point(m.x, m.y, high.z - 0.05)}};
+    return Value::Object{
+        {"name", name}, {"photometry", "cosine"}, {"flux", 3000}, {"position", point(m.x, m.y, high.z - 0.05)}};
   if (list == "/grids")
-    return Value::Object{{"name", name}, {"origin", point(low.x, low.y, low.z + 0.8)},
-                         {"u", point(high.x - low.x, 0, 0)}, {"v", point(0, high.y - low.y, 0)},
-                         {"counts", Value::Array{20, 14}}, {"normal", Value::Array{0, 0, 1}}};
+    return Value::Object{{"name", name},
+                         {"origin", point(low.x, low.y, low.z + 0.8)},
+                         {"u", point(high.x - low.x, 0, 0)},
+                         {"v", point(0, high.y - low.y, 0)},
+                         {"counts", Value::Array{20, 14}},
+                         {"normal", Value::Array{0, 0, 1}}};
   if (list == "/views")
-    return Value::Object{{"name", name}, {"eye", point(low.x + 0.4, low.y + 0.4, low.z + 1.6)},
-                         {"target", point(m.x, m.y, low.z + 1)}, {"fov", 60}, {"width", 400}, {"height", 300}};
+    return Value::Object{{"name", name},
+                         {"eye", point(low.x + 0.4, low.y + 0.4, low.z + 1.6)},
+                         {"target", point(m.x, m.y, low.z + 1)},
+                         {"fov", 60},
+                         {"width", 400},
+                         {"height", 300}};
   if (list == "/observers")
-    return Value::Object{{"name", name}, {"eye", point(low.x + 0.6, m.y, low.z + 1.2)},
-                         {"direction", Value::Array{1, 0, 0}}, {"quantity", "ugr"}};
+    return Value::Object{{"name", name},
+                         {"eye", point(low.x + 0.6, m.y, low.z + 1.2)},
+                         {"direction", Value::Array{1, 0, 0}},
+                         {"quantity", "ugr"}};
   if (list == "/scenes") return Value::Object{{"name", name}, {"groups", Value::Object{}}};
   if (list == "/requirements") return Value::Object{{"grid", "work plane"}, {"mean_lx", Value::Object{{"min", 500}}}};
   return Value::Object{};

@@ -46,8 +46,9 @@ ResultsPanel::ResultsPanel(QWidget* parent) : QWidget(parent) {
   table_ = makeTable({tr("Grid"), tr("Mean"), tr("Minimum"), tr("Maximum"), "U₀", "U_d", tr("Points")}, split);
   table_->setObjectName("resultsTable");
   table_->setAccessibleName(tr("Results by grid"));
-  table_->headerItem()->setToolTip(meanColumn, tr("Mean illuminance of the grid's points, maintained. CIE S 017 17-21-060: "
-                                                  "illuminance is luminous flux per area of a surface."));
+  table_->headerItem()->setToolTip(meanColumn,
+                                   tr("Mean illuminance of the grid's points, maintained. CIE S 017 17-21-060: "
+                                      "illuminance is luminous flux per area of a surface."));
   table_->headerItem()->setToolTip(u0Column, tr("Uniformity: smallest illuminance over mean (EN 12464-1)."));
   table_->headerItem()->setToolTip(udColumn, tr("Diversity: smallest illuminance over largest."));
   table_->header()->resizeSection(nameColumn, 170);
@@ -89,7 +90,8 @@ void ResultsPanel::show(std::shared_ptr<const project::Results> results, bool is
                         .arg(results->wallTime_s, 0, 'f', 2)
                         .arg(1e-6 * static_cast<double>(results->rays), 0, 'f', 2);
     if (!results->reached)
-      words += " " + tr("The accuracy asked for was not reached: %1.").arg(QString::fromStdString(results->reachedText));
+      words +=
+          " " + tr("The accuracy asked for was not reached: %1.").arg(QString::fromStdString(results->reachedText));
     summary_->setText(words);
   }
 }

@@ -43,7 +43,8 @@ void RoomPage::addPresets() {
                  {"front", tr("Elevation from the front"), Preset::front, Qt::Key_1},
                  {"side", tr("Elevation from the right"), Preset::right, Qt::Key_3}};
   for (const auto& p : presets) {
-    QAction* action = bar_->addAction(icon(p.icon), p.title, this, [this, preset = p.preset] { view_->setPreset(preset); });
+    QAction* action =
+        bar_->addAction(icon(p.icon), p.title, this, [this, preset = p.preset] { view_->setPreset(preset); });
     action->setShortcut(p.key);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     action->setToolTip(QString("%1 (%2)").arg(p.title, action->shortcut().toString()));

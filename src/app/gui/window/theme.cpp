@@ -49,12 +49,15 @@ QString styleSheetOf(const Theme& t) {
              "border-bottom: 1px solid %3; background: %2; }"
              "QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { padding: 3px 6px; border: 1px solid %3; "
              "border-radius: 3px; background: %5; min-height: 18px; }"
+             "QComboBox::drop-down { border: none; width: 20px; }"
+             "QComboBox::down-arrow { image: none; width: 0; height: 0; border-left: 4px solid transparent; "
+             "border-right: 4px solid transparent; border-top: 5px solid %9; margin-right: 6px; }"
              "QLineEdit:focus, QComboBox:focus { border-color: %6; }"
              "QLineEdit[wrong=\"true\"] { border-color: %7; }"
              "QTabBar::tab { padding: 7px 14px; }"
              "QToolTip { padding: 5px; border: 1px solid %3; background: %2; color: %8; }")
       .arg(t.window.name(), t.panel.name(), t.border.name(), t.isDark ? "#3a424d" : "#dfe6ee", t.base.name(),
-           t.accent.name(), t.fail.name(), t.text.name());
+           t.accent.name(), t.fail.name(), t.text.name(), t.faintText.name());
 }
 
 bool systemIsDark() {
@@ -66,21 +69,43 @@ bool systemIsDark() {
 
 const Theme& lightTheme() {
   static const Theme theme{false,
-                           QColor("#f3f4f6"), QColor("#ffffff"), QColor("#e9ecf0"), QColor("#cfd5dc"),
-                           QColor("#1e2329"), QColor("#7b8490"), QColor("#1d6fb8"), QColor("#1a7f4b"),
-                           QColor("#c0392b"), QColor("#a8700c"),
-                           QColor("#c9d6e3"), QColor("#f4f7fa"), QColor("#39424d"),
-                           QColor("#ffe9a8"), QColor("#c98a00"), QColor("#e0531f")};
+                           QColor("#f3f4f6"),
+                           QColor("#ffffff"),
+                           QColor("#e9ecf0"),
+                           QColor("#cfd5dc"),
+                           QColor("#1e2329"),
+                           QColor("#7b8490"),
+                           QColor("#1d6fb8"),
+                           QColor("#1a7f4b"),
+                           QColor("#c0392b"),
+                           QColor("#a8700c"),
+                           QColor("#c9d6e3"),
+                           QColor("#f4f7fa"),
+                           QColor("#39424d"),
+                           QColor("#ffe9a8"),
+                           QColor("#c98a00"),
+                           QColor("#e0531f")};
   return theme;
 }
 
 const Theme& darkTheme() {
   static const Theme theme{true,
-                           QColor("#23272e"), QColor("#1b1f24"), QColor("#2c313a"), QColor("#414955"),
-                           QColor("#e3e7ec"), QColor("#8b95a2"), QColor("#3f8fd6"), QColor("#4cc38a"),
-                           QColor("#f0705f"), QColor("#e0b04a"),
-                           QColor("#2d3641"), QColor("#15181c"), QColor("#0d0f12"),
-                           QColor("#ffe9a8"), QColor("#e0b04a"), QColor("#ff8a4d")};
+                           QColor("#23272e"),
+                           QColor("#1b1f24"),
+                           QColor("#2c313a"),
+                           QColor("#414955"),
+                           QColor("#e3e7ec"),
+                           QColor("#8b95a2"),
+                           QColor("#3f8fd6"),
+                           QColor("#4cc38a"),
+                           QColor("#f0705f"),
+                           QColor("#e0b04a"),
+                           QColor("#2d3641"),
+                           QColor("#15181c"),
+                           QColor("#0d0f12"),
+                           QColor("#ffe9a8"),
+                           QColor("#e0b04a"),
+                           QColor("#ff8a4d")};
   return theme;
 }
 
