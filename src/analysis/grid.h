@@ -37,6 +37,7 @@ struct Requirement {
   std::string grid, observer;  ///< one of the two is set
   std::vector<Limit> limits;
   core::SourcePosition position;
+  std::string clause = {};  ///< where the limits stand in a standard; "" = the project's own
 };
 
 }  // namespace goniolux::analysis

@@ -177,6 +177,7 @@ project::Results calculateGrids(const project::Project& project, const Engine& e
   project::Results results;
   results.project = project.name;
   results.projectHash = project.hash;
+  results.inputs = project.inputs;
   results.programVersion = programVersion();
   results.confidence = project.settings.accuracy.confidence;
   results.seed = project.settings.seed;

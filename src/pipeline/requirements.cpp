@@ -49,7 +49,8 @@ std::vector<project::RequirementResult> judge(const project::Project& project, c
     const std::string& what = requirement.grid.empty() ? requirement.observer : requirement.grid;
     for (const analysis::Limit& limit : requirement.limits)
       if (const auto e = quantityOf(results, requirement, limit.key))
-        verdicts.push_back({limitText(what, limit, *e), verdictOf(*e, limit)});
+        verdicts.push_back({limitText(what, limit, *e), verdictOf(*e, limit), what, limit.key, limit.minimum,
+                            limit.maximum, *e, requirement.clause});
   }
   return verdicts;
 }

@@ -78,6 +78,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
     Results results = superposed(groups, levels);
     results.lightingScene = name;
     results.projectHash = project.hash;
+    results.inputs = project.inputs;
     results.requirements = judge(project, results);
     if (name.empty()) report.verdictFailed = anyFailed(results);
     const std::string target =

@@ -22,6 +22,7 @@ const std::vector<Stage>& stages() {
       renderStage(),
       displayStage(),
       plotStage(),
+      reportStage(),
       probeStage(),
       compareStage(),
 

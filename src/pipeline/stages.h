@@ -19,6 +19,7 @@ Stage displayStage();
 Stage probeStage();
 Stage compareStage();
 Stage plotStage();
+Stage reportStage();
 Stage verifyStage();
 Stage luminaireStage();
 Stage spectrumStage();

@@ -178,6 +178,11 @@ core::Value toJson(const PlanMap& map) {
     luminaires.push_back(std::move(entry));
   }
   json.set("luminaires", std::move(luminaires));
+  if (!map.words.empty()) {
+    Value words = Value::Object{};
+    for (const auto& [english, word] : map.words) words.set(english, word);
+    json.set("words", words);
+  }
   return json;
 }
 
@@ -210,7 +215,16 @@ PlanMap planMapFromJson(const core::Value& document) {
     map.luminaires.push_back({text(entry, "name"), vector2(member(entry, "position"), "\"position\""),
                               polyline(member(entry, "footprint"), "\"footprint\"")});
   }
+  if (const Value* words = document.find("words")) {
+    if (!words->isObject()) bad(*words, "\"words\" must be an object of texts");
+    for (const auto& [english, word] : words->object()) map.words[english] = text(*words, english.c_str());
+  }
   return map;
+}
+
+const std::string& PlanMap::word(const std::string& english) const {
+  const auto found = words.find(english);
+  return found == words.end() ? english : found->second;
 }
 
 }  // namespace goniolux::plot

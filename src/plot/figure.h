@@ -6,6 +6,7 @@
 // are metres in that plane, x to the right, y up.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,6 +49,11 @@ struct PlanMap {
 
   std::vector<Polyline> roomLines, objectLines;
   std::vector<MapLuminaire> luminaires;
+
+  /// Other words for what the page says by itself: "in", "luminaire", "highest value", "lowest value", "not counted".
+  std::map<std::string, std::string> words;
+  /// The English word, or the one that stands for it.
+  [[nodiscard]] const std::string& word(const std::string& english) const;
 };
 
 /// The kind of a figure: "plan-map", "polar-diagram", "line-chart" or "photometric-solid". Throws core::InputError if

@@ -9,7 +9,8 @@ namespace {
 using core::Vec2;
 
 // Room on the page for what stands around the plan, in pixels.
-constexpr double leftMargin = 110, rightMargin = 250, topMargin = 165, bottomMargin = 120;
+constexpr double leftMargin = 110, rightMargin = 250;
+constexpr double withTitles = 165, withoutTitles = 24, withFooter = 120, withoutFooter = 76;
 constexpr double legendGap = 50, legendWidth = 34;
 
 void include(Rectangle& box, const Vec2& point) {
@@ -60,6 +61,8 @@ Rectangle shownPart(const PlanMap& map) {
 MapLayout layoutOf(const PlanMap& map) {
   MapLayout layout;
   layout.shown = shownPart(map);
+  const double topMargin = map.title.empty() && map.subtitle.empty() ? withoutTitles : withTitles;
+  const double bottomMargin = map.footer.empty() ? withoutFooter : withFooter;
   const Vec2 plan = layout.shown.size();
   const double largest = std::max(plan.x, plan.y);
   constexpr double wide = 1240, high = 860;  // the largest plan on a page whose size is left open

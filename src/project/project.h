@@ -11,6 +11,7 @@
 #include "core/diagnostics.h"
 #include "core/document.h"
 #include "photometry/photometric_file.h"
+#include "project/results.h"
 #include "scene/environment.h"
 #include "scene/view.h"
 #include "spectrum/spectral_distribution.h"
@@ -43,11 +44,6 @@ struct Settings {
 struct LightingScene {
   std::string name;
   std::map<std::string, double> groups;
-};
-
-struct InputFile {
-  std::string path;  ///< as written in the project
-  std::string sha256;
 };
 
 struct Project {

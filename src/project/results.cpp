@@ -140,11 +140,28 @@ Value toJson(const Results& results) {
     Value entry;
     entry.set("text", requirement.text);
     entry.set("verdict", verdictText(requirement.verdict));
+    if (!requirement.of.empty()) entry.set("of", requirement.of);
+    if (!requirement.quantity.empty()) entry.set("quantity", requirement.quantity);
+    if (requirement.minimum) entry.set("min", *requirement.minimum);
+    if (requirement.maximum) entry.set("max", *requirement.maximum);
+    if (requirement.found) {
+      entry.set("value", requirement.found->value);
+      entry.set("half_width", requirement.found->halfWidth());
+    }
+    if (!requirement.clause.empty()) entry.set("clause", requirement.clause);
     requirements.push_back(std::move(entry));
   }
   json.set("grids", std::move(grids));
   json.set("observers", std::move(observers));
   json.set("requirements", std::move(requirements));
+  Value::Array inputs;
+  for (const InputFile& input : results.inputs) {
+    Value entry;
+    entry.set("path", input.path);
+    entry.set("sha256", input.sha256);
+    inputs.push_back(std::move(entry));
+  }
+  if (!inputs.empty()) json.set("inputs", std::move(inputs));
   return json;
 }
 

@@ -19,6 +19,11 @@
 
 namespace goniolux::project {
 
+struct InputFile {
+  std::string path;  ///< as written in the project
+  std::string sha256;
+};
+
 /// The edges of a regular grid: its corner and the full edges along which the points run.
 struct GridPlane {
   core::Vec3 origin{0}, u{0}, v{0};
@@ -50,6 +55,10 @@ struct RequirementResult {
   enum class Verdict { pass, fail, undecided };
   std::string text;
   Verdict verdict = Verdict::undecided;
+  std::string of, quantity;  ///< grid or observer, and the limit's key: "mean_lx", "u0", "ugr", …; "": not stated
+  std::optional<double> minimum, maximum;
+  std::optional<core::Estimate> found;
+  std::string clause;  ///< where the limit stands in a standard; "" = the project's own
 };
 
 struct Results {
@@ -68,6 +77,7 @@ struct Results {
   std::vector<GridResult> grids;
   std::vector<ObserverResult> observers;
   std::vector<RequirementResult> requirements;
+  std::vector<InputFile> inputs;  ///< every file that was read, the project file first
 };
 
 /// The document of `illuminate --json`, which is grids.json too (format "goniolux-results", version 1).

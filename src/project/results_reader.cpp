@@ -61,6 +61,8 @@ class Reader {
     for (const Value& entry : list(document, "grids", true)) results.grids.push_back(grid(entry));
     for (const Value& entry : list(document, "observers", false)) results.observers.push_back(observer(entry));
     for (const Value& entry : list(document, "requirements", false)) results.requirements.push_back(requirement(entry));
+    for (const Value& entry : list(document, "inputs", false))
+      results.inputs.push_back({text(entry, "path", true), text(entry, "sha256", true)});
     if (diagnostics_.hasErrors()) throw core::InputError(diagnostics_);
     return results;
   }
@@ -317,6 +319,12 @@ class Reader {
     } else if (verdict != "undecided") {
       complain(json, "\"verdict\" must be pass, fail or undecided");
     }
+    result.of = text(json, "of", false);
+    result.quantity = text(json, "quantity", false);
+    result.clause = text(json, "clause", false);
+    if (json.find("min")) result.minimum = number(json, "min", -infinity, infinity);
+    if (json.find("max")) result.maximum = number(json, "max", -infinity, infinity);
+    if (const Value* value = json.find("value"); value && value->isNumber()) result.found = estimateMembers(json);
     return result;
   }
 

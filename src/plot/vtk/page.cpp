@@ -62,7 +62,7 @@ void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const Co
   const Rectangle& bar = layout.legend;
   const double height = bar.size().y;
   ink.text(map.legendTitle, {bar.low.x, layout.frame.high.y - 8}, fitting(map.legendTitle, {17, true}, 190));
-  ink.text("in " + map.unit, {bar.low.x, layout.frame.high.y - 32}, {15, false, grey});
+  ink.text(map.word("in") + " " + map.unit, {bar.low.x, layout.frame.high.y - 32}, {15, false, grey});
 
   const std::vector<double>& edges = scale.edges();
   const auto fields = static_cast<int>(edges.size()) - 1;
@@ -90,7 +90,7 @@ void paintLegend(Ink& ink, const PlanMap& map, const MapLayout& layout, const Co
   double y = bar.low.y - 36;
   const double middle = bar.low.x + 12, words = bar.low.x + 34;
   const auto row = [&](const char* text) {
-    ink.text(text, {words, y}, {14});
+    ink.text(map.word(text), {words, y}, {14});
     y -= 25;
   };
   if (!map.luminaires.empty()) {

@@ -1,0 +1,103 @@
+// The report's HTML: numbers in the reader's units and language, text that cannot break the page, nothing untranslated.
+#include "report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "core/document.h"
+#include "report/words.h"
+
+namespace goniolux::report {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Report sample() {
+  Report report;
+  report.results.project = "Room <1> & \"two\"";
+  project::GridResult grid;
+  grid.name = "desk";
+  grid.counts = {2, 1};
+  grid.points = {{0, 0, 1}, {1, 0, 1}};
+  grid.values = {1000, 1234.5};
+  grid.halfWidths = {10, 10};
+  grid.mean = {1117.25, 7, {}};
+  grid.min = {1000, 10, {}};
+  grid.max = {1234.5, 10, {}};
+  grid.u0 = {0.895, 0.01, {}};
+  report.results.grids.push_back(grid);
+  report.results.leftOut = {"fluorescence"};
+  project::RequirementResult requirement;
+  requirement.text = "desk mean_lx >= 500";
+  requirement.verdict = project::RequirementResult::Verdict::pass;
+  requirement.of = "desk";
+  requirement.quantity = "mean_lx";
+  requirement.minimum = 500;
+  requirement.found = grid.mean;
+  requirement.clause = "EN 12464-1:2021, 34.2";
+  report.results.requirements.push_back(requirement);
+  return report;
+}
+
+TEST(Report, StatesValuesWithIntervalsRequirementsAndWhatIsLeftOut) {
+  const std::string html = htmlOf(sample());
+  for (const char* part :
+       {"1117 ± 7 lx", "at least 500 lx", "EN 12464-1:2021, 34.2", "0.895 ± 0.010", "fluorescence", "met"})
+    EXPECT_TRUE(contains(html, part)) << part;
+}
+
+TEST(Report, EscapesNamesInTextAndInStyle) {
+  const std::string html = htmlOf(sample());
+  EXPECT_TRUE(contains(html, "Room &lt;1&gt; &amp; &quot;two&quot;"));
+  EXPECT_FALSE(contains(html, "Room <1>"));
+  EXPECT_FALSE(contains(html, "& \"two\""));
+}
+
+TEST(Report, ConvertsToFootcandlesAndGermanNumbers) {
+  Report report = sample();
+  report.units = Units::imperial;
+  // 1 fc = 1 lm/ft2 = 10.763910417 lx: 1117.25 lx = 103.796 fc, 7 lx = 0.650 fc; 500 lx = 46.45 fc.
+  EXPECT_TRUE(contains(htmlOf(report), "103.8 ± 0.7 fc"));
+  EXPECT_TRUE(contains(htmlOf(report), "at least 46.5 fc"));
+  report.language = Language::german;
+  EXPECT_TRUE(contains(htmlOf(report), "103,8 ± 0,7 fc"));
+  EXPECT_TRUE(contains(htmlOf(report), "mindestens 46,5 fc"));
+}
+
+TEST(Words, GroupsThousandsAndChoosesTheDecimalSign) {
+  const Words english(Language::english, Units::metric), german(Language::german, Units::metric);
+  EXPECT_EQ(english.number(24000, 0), "24\u202f000");
+  EXPECT_EQ(english.number(4000, 0), "4000");
+  EXPECT_EQ(german.number(-1234567.25, 2), "−1\u202f234\u202f567,25");
+  EXPECT_NEAR(Words(Language::english, Units::imperial).factor("m2"), 10.7639104, 1e-6);
+}
+
+TEST(Words, EveryTextOfTheReportHasAGermanOne) {
+  const Words words(Language::german, Units::metric);
+  const std::filesystem::path folder = std::filesystem::path(GONIOLUX_SOURCE_DIR) / "src/report";
+  // words("…") with a text that may be broken over several literals.
+  const std::regex call("words\\(((?:\\s*\"(?:[^\"\\\\]|\\\\.)*\")+)\\s*\\)"), literal("\"((?:[^\"\\\\]|\\\\.)*)\"");
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string source = core::readFile(entry.path().string());
+    for (std::sregex_iterator it(source.begin(), source.end(), call), end; it != end; ++it) {
+      const std::string pieces = (*it)[1];
+      std::string text;
+      for (std::sregex_iterator piece(pieces.begin(), pieces.end(), literal); piece != end; ++piece)
+        text += (*piece)[1];
+      EXPECT_TRUE(words.hasTranslation(text)) << entry.path().filename() << ": " << text;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 60);
+  for (const char* key : {"mean_lx", "min_lx", "max_lx", "u0", "ud", "ugr"})
+    EXPECT_TRUE(words.hasTranslation(limitName(key))) << key;
+}
+
+}  // namespace
+}  // namespace goniolux::report
