@@ -1,47 +1,49 @@
-// Device: an additive display with three primaries, a white and a transfer curve, as data (*.device.json).
+// Device: what turns code values into light, as data: a monitor, a film recorder with its film and projector
+// (*.device.json), or any RGB device with an ICC profile.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/vector.h"
+#include "display/transfer_curve.h"
 #include "spectrum/colorimetry.h"
 
 namespace goniolux::display {
 
-/// From linear light L (0..1) to code value V (0..1): V = slope L up to `threshold`, above it V = (1 + offset)
-/// L^(1/gamma) - offset. A pure power has slope 0, threshold 0, offset 0.
-struct TransferCurve {
-  double gamma = 1, offset = 0, slope = 0, threshold = 0;
-  [[nodiscard]] double encode(double linear) const;
-  [[nodiscard]] double decode(double code) const;
-
-  friend bool operator==(const TransferCurve&, const TransferCurve&) = default;
-};
+struct Film;  // display/film.h
 
 struct Device {
+  enum class Kind { monitor, film, icc };
+  Kind kind = Kind::monitor;
   std::string name, source;
-  spectrum::Chromaticity red, green, blue, white;
-  TransferCurve transfer;
+  spectrum::Chromaticity red, green, blue;  ///< of film: the composite primaries, see film.h
+  spectrum::Chromaticity white;             ///< of an ICC profile: D50, the white of the connection space
+  std::array<TransferCurve, 3> transfer;    ///< red, green, blue; monitors only
+  double white_cd_m2 = 0;                   ///< largest luminance, without flare; 0: not known
+  double black_cd_m2 = 0;                   ///< luminance of code 0, in the colour of white; part of white_cd_m2
+  double flare_cd_m2 = 0;                   ///< reflected room light, on top of everything, in the colour of white
+  std::shared_ptr<const Film> film;         ///< Kind::film
+  std::string profile;                      ///< Kind::icc: the profile's bytes
 };
 
-/// The device of a preset's name ("srgb", "display-p3", …) or of a goniolux-device file of version 1. core::InputError
-/// with place and reason when it is neither, or when no colours could be made with it (primaries on one line, white
-/// outside their triangle).
+/// The device of a preset's name ("srgb", "display-p3", …), of a goniolux-device file of version 1, or of an ICC
+/// profile. core::InputError with place and reason when it is none, or when no colours could be made with it (primaries
+/// on one line, white outside their triangle).
 Device readDevice(const std::string& presetOrPath);
 std::vector<std::string> presetNames();
 
 /// Tristimulus values (device white: Y = 1) of linear device values; columns are the primaries. SMPTE RP 177-1993.
 core::Mat3 xyzFromRgb(const Device& device);
 
-/// Linear device values of tristimulus values, seen under `adoptedWhite` (adapted to the device's white) or as they
-/// are.
+/// Linear device values of tristimulus values, seen under `adoptedWhite` (adapted to the device's white by CAT16) or as
+/// they are.
 core::Mat3 rgbFromXyz(const Device& device, const std::optional<spectrum::Chromaticity>& adoptedWhite);
 
-/// Von Kries adaptation in the sharpened cone space of CAT16 (Li et al., Color Res. Appl. 42(6), 2017), complete:
-/// colours seen under white `from` become those that look alike under white `to`; `from` itself becomes `to`, luminance
-/// of white is kept.
-core::Mat3 adaptation(const spectrum::Chromaticity& from, const spectrum::Chromaticity& to);
+/// Black and flare as a fraction of the device's white; 0 where its white is not known.
+double darkest(const Device& device);
 
 }  // namespace goniolux::display

@@ -32,6 +32,7 @@ LuminanceStatistics luminanceStatistics(const image::XyzImage& image, const core
   constexpr int perStop = 64, range = 32;
   std::vector<std::size_t> histogram(2 * range * perStop);
   double sum = 0;
+  float largestLuminance = 0;
   std::size_t count = 0;
   const glm::mat3 matrix(toRgb);
   for (std::size_t i = 0; i < image.y.size(); ++i) {
@@ -42,12 +43,14 @@ LuminanceStatistics luminanceStatistics(const image::XyzImage& image, const core
     const float place = (std::log2(largest) + range) * perStop;
     ++histogram[static_cast<std::size_t>(std::clamp(place, 0.0F, static_cast<float>(histogram.size() - 1)))];
     sum += std::log2(luminance);
+    largestLuminance = std::max(largestLuminance, luminance);
     ++count;
   }
   if (count == 0) return {};
   std::size_t brighter = 0, bin = histogram.size();
   while (brighter * 20 <= count) brighter += histogram[--bin];
-  return {std::exp2(sum / static_cast<double>(count)), std::exp2(static_cast<double>(bin + 1) / perStop - range)};
+  return {std::exp2(sum / static_cast<double>(count)), std::exp2(static_cast<double>(bin + 1) / perStop - range),
+          static_cast<double>(largestLuminance)};
 }
 
 Exposure automaticExposure(const LuminanceStatistics& statistics, double stops) {

@@ -14,10 +14,11 @@ struct Exposure {
 };
 
 /// Of the pixels that have any luminance (finite and above 0); both 0 for a black image. `toRgb` takes X, Y, Z to the
-/// device's linear primaries (rgbFromXyz).
+/// device's linear primaries.
 struct LuminanceStatistics {
   double logAverage_cd_m2 = 0;  ///< the exponential of the mean logarithm
   double bright_cd_m2 = 0;      ///< what the largest primary of 5 % of the pixels exceeds, to a 64th of a stop
+  double largest_cd_m2 = 0;     ///< luminance of the brightest pixel
 };
 LuminanceStatistics luminanceStatistics(const image::XyzImage& image, const core::Mat3& toRgb);
 

@@ -2,7 +2,9 @@
 
 #include <lcms2.h>
 
+#include <cmath>
 #include <memory>
+#include <vector>
 
 #include "core/diagnostics.h"
 
@@ -19,11 +21,22 @@ struct FreeText {
   void operator()(cmsMLU* text) const { cmsMLUfree(text); }
 };
 
+using ToneCurve = std::unique_ptr<cmsToneCurve, FreeCurve>;
+
 // ICC parametric curves run from code value to light: Y = (a V + b)^g from V = d on, c V below (type 4 of Little CMS).
-std::unique_ptr<cmsToneCurve, FreeCurve> toneCurve(const TransferCurve& curve) {
-  const double parameters[] = {curve.gamma, 1 / (1 + curve.offset), curve.offset / (1 + curve.offset),
-                               curve.slope > 0 ? 1 / curve.slope : 0, curve.slope * curve.threshold};
-  return std::unique_ptr<cmsToneCurve, FreeCurve>(cmsBuildParametricToneCurve(nullptr, 4, parameters));
+// Other forms become tables, light relative to that of the largest code value.
+ToneCurve toneCurve(const TransferCurve& curve) {
+  if (curve.form == TransferCurve::Form::power) {
+    const double parameters[] = {curve.gamma, 1 / (1 + curve.offset), curve.offset / (1 + curve.offset),
+                                 curve.slope > 0 ? 1 / curve.slope : 0, curve.slope * curve.threshold};
+    return ToneCurve(cmsBuildParametricToneCurve(nullptr, 4, parameters));
+  }
+  constexpr int entries = 4096;
+  std::vector<cmsUInt16Number> table;
+  for (int i = 0; i < entries; ++i)
+    table.push_back(static_cast<cmsUInt16Number>(
+        std::lround(65535 * curve.decode(static_cast<double>(i) / (entries - 1)) / curve.decode(1))));
+  return ToneCurve(cmsBuildTabulatedToneCurve16(nullptr, entries, table.data()));
 }
 
 void describe(void* profile, cmsTagSignature tag, const std::string& content) {
@@ -41,16 +54,23 @@ void removeDate(std::string& bytes) {
 }  // namespace
 
 std::string iccProfile(const Device& device) {
+  if (device.kind == Device::Kind::icc) return device.profile;
+  if (device.kind == Device::Kind::film) return "";
   const cmsCIExyY white{device.white.x, device.white.y, 1};
   const cmsCIExyYTRIPLE primaries{
       {device.red.x, device.red.y, 1}, {device.green.x, device.green.y, 1}, {device.blue.x, device.blue.y, 1}};
-  const auto curve = toneCurve(device.transfer);
-  cmsToneCurve* const curves[] = {curve.get(), curve.get(), curve.get()};
+  const ToneCurve red = toneCurve(device.transfer[0]), green = toneCurve(device.transfer[1]),
+                  blue = toneCurve(device.transfer[2]);
+  cmsToneCurve* const curves[] = {red.get(), green.get(), blue.get()};
   const std::unique_ptr<void, CloseProfile> profile(cmsCreateRGBProfile(&white, &primaries, curves));
   cmsUInt32Number size = 0;
   if (profile) {
     describe(profile.get(), cmsSigProfileDescriptionTag, device.name);
     describe(profile.get(), cmsSigCopyrightTag, "No copyright, use freely");
+    if (device.white_cd_m2 > 0) {
+      const cmsCIEXYZ luminance{0, device.white_cd_m2, 0};  // only Y counts (ICC.1, luminanceTag)
+      cmsWriteTag(profile.get(), cmsSigLuminanceTag, &luminance);
+    }
     cmsSaveProfileToMem(profile.get(), nullptr, &size);
   }
   std::string bytes(size, '\0');

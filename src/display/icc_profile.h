@@ -8,7 +8,8 @@
 namespace goniolux::display {
 
 /// An ICC matrix/curve display profile (made with Little CMS; perceptual white D50 by Bradford adaptation, as ICC.1
-/// asks). Its bytes depend on the device alone: no date, no identifier.
+/// asks; black and flare are left to the viewer). Its bytes depend on the device alone: no date, no identifier. A
+/// device made of a profile gives that one; film, whose codes are densities, none ("").
 std::string iccProfile(const Device& device);
 
 }  // namespace goniolux::display

@@ -6,24 +6,55 @@
 
 #include "core/diagnostics.h"
 #include "core/document.h"
+#include "core/text.h"
 
 namespace goniolux::display {
 
 PictureFormat pictureFormat(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string ending = core::lowerCase(std::filesystem::path(path).extension().string());
   if (ending == ".png") return PictureFormat::png;
   if (ending == ".tif" || ending == ".tiff") return PictureFormat::tiff;
-  const bool later = ending == ".dpx" || ending == ".jpg" || ending == ".jpeg";
-  throw core::InputError({path, 0, 0}, "picture-format",
-                         later
-                             ? fmt::format("not supported yet: {} pictures; name the output .png or .tif", ending)
-                             : fmt::format("'{}' stands for no picture format; name the output .png or .tif", ending));
+  if (ending == ".jpg" || ending == ".jpeg") return PictureFormat::jpeg;
+  if (ending == ".dpx") return PictureFormat::dpx;
+  throw core::InputError(
+      {path, 0, 0}, "picture-format",
+      fmt::format("'{}' stands for no picture format; name the output .png, .tif, .jpg or .dpx", ending));
+}
+
+std::vector<int> bitsOf(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::png:
+      return {8, 16};
+    case PictureFormat::tiff:
+      return {16};
+    case PictureFormat::dpx:
+      return {10};
+    default:
+      return {8};
+  }
 }
 
 void writePicture(const std::string& path, const CodeImage& image, const Device& device) {
-  const PictureFormat format = pictureFormat(path);
-  core::writeFile(path, format == PictureFormat::png ? encodePng(image, device) : encodeTiff(image, device));
+  switch (pictureFormat(path)) {
+    case PictureFormat::png:
+      return core::writeFile(path, encodePng(image, device));
+    case PictureFormat::tiff:
+      return core::writeFile(path, encodeTiff(image, device));
+    case PictureFormat::jpeg:
+      return core::writeFile(path, encodeJpeg(image, device));
+    case PictureFormat::dpx:
+      return core::writeFile(path, encodeDpx(image, device));
+  }
+}
+
+CodeImage readPicture(const std::string& path) {
+  const std::string bytes = core::readFile(path);
+  const std::string_view start = std::string_view(bytes).substr(0, 4);
+  if (start == "\x89PNG") return decodePng(bytes, path);
+  if (start == "SDPX" || start == "XPDS") return decodeDpx(bytes, path);
+  if (start.starts_with("II") || start.starts_with("MM")) return decodeTiff(bytes, path);
+  throw core::InputError({path, 0, 0}, "picture-format",
+                         "this is no picture of code values that can be read; give a PNG, TIFF or DPX file");
 }
 
 }  // namespace goniolux::display

@@ -27,16 +27,30 @@ void flush(png_structp) {}
 }
 void onWarning(png_structp, png_const_charp) {}
 
-bool isSrgb(const Device& device) {
-  static const Device srgb = readDevice("srgb");
-  const auto same = [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y; };
-  return same(device.red, srgb.red) && same(device.green, srgb.green) && same(device.blue, srgb.blue) &&
-         same(device.white, srgb.white) && device.transfer == srgb.transfer;
+bool samePrimaries(const Device& a, const Device& b) {
+  const auto same = [](const auto& p, const auto& q) { return p.x == q.x && p.y == q.y; };
+  return same(a.red, b.red) && same(a.green, b.green) && same(a.blue, b.blue) && same(a.white, b.white);
+}
+
+// How the file says what its codes mean.
+struct ColourSpace {
+  bool isSrgb = false, isPq = false;
+  std::string profile;
+};
+ColourSpace colourSpaceOf(const Device& device) {
+  static const Device srgb = readDevice("srgb"), pq = readDevice("rec2020-pq");
+  ColourSpace space;
+  if (device.kind == Device::Kind::monitor) {
+    space.isSrgb = samePrimaries(device, srgb) && device.transfer == srgb.transfer;
+    space.isPq = samePrimaries(device, pq) && device.transfer[0].form == TransferCurve::Form::pq;
+  }
+  if (!space.isSrgb && !space.isPq) space.profile = iccProfile(device);
+  return space;
 }
 
 // The library reports errors by longjmp: everything that needs a destructor is made by the caller, before. False on an
 // error.
-bool encode(png_structp png, png_infop info, const CodeImage& image, const std::string& profile,
+bool encode(png_structp png, png_infop info, const CodeImage& image, const ColourSpace& space,
             std::vector<png_byte>& row, std::string& bytes) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, &bytes, append, flush);
@@ -44,13 +58,16 @@ bool encode(png_structp png, png_infop info, const CodeImage& image, const std::
                PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_compression_level(png, compressionLevel);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-  if (profile.empty()) {
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
-  } else {
-    png_set_iCCP(png, info, "device", PNG_COMPRESSION_TYPE_BASE, reinterpret_cast<png_const_bytep>(profile.data()),
-                 static_cast<png_uint_32>(profile.size()));
-  }
+  if (space.isSrgb) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+  if (!space.profile.empty())
+    png_set_iCCP(png, info, "device", PNG_COMPRESSION_TYPE_BASE,
+                 reinterpret_cast<png_const_bytep>(space.profile.data()),
+                 static_cast<png_uint_32>(space.profile.size()));
   png_write_info(png, info);
+  if (space.isPq) {  // PNG, third edition: primaries of BT.2020, curve of ST 2084, no matrix, full range (ITU-T H.273)
+    constexpr png_byte name[5] = {'c', 'I', 'C', 'P', 0}, content[4] = {9, 16, 0, 1};
+    png_write_chunk(png, name, content, sizeof(content));
+  }
   const std::size_t values = 3 * static_cast<std::size_t>(image.width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
     const std::uint16_t* codes = image.rgb.data() + y * values;
@@ -71,12 +88,12 @@ bool encode(png_structp png, png_infop info, const CodeImage& image, const std::
 }  // namespace
 
 std::string encodePng(const CodeImage& image, const Device& device) {
-  const std::string profile = isSrgb(device) ? "" : iccProfile(device);
+  const ColourSpace space = colourSpaceOf(device);
   std::vector<png_byte> row(6 * static_cast<std::size_t>(image.width));
   std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-  const bool done = info != nullptr && encode(png, info, image, profile, row, bytes);
+  const bool done = info != nullptr && encode(png, info, image, space, row, bytes);
   png_destroy_write_struct(&png, &info);
   if (!done) throw core::RunError("the picture cannot be encoded as PNG");
   return bytes;

@@ -97,6 +97,7 @@ TEST(PictureFile, ProfileGivesTheSameColoursAsTheMatrix) {
   // enough of a check of the adaptation, the primaries of the matrix, mid grey of the curve.
   for (const auto& name : presetNames()) {
     const Device device = readDevice(name);
+    if (device.kind != Device::Kind::monitor) continue;
     const std::string bytes = iccProfile(device);
     const cmsHPROFILE profile = cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size()));
     ASSERT_NE(profile, nullptr) << name;
@@ -109,11 +110,51 @@ TEST(PictureFile, ProfileGivesTheSameColoursAsTheMatrix) {
     EXPECT_NEAR(values[0][0], 0.9642, 5e-4) << name;
     EXPECT_NEAR(values[0][1], 1.0000, 5e-4) << name;
     EXPECT_NEAR(values[0][2], 0.8249, 5e-4) << name;
-    EXPECT_NEAR(values[1][1], device.transfer.decode(0.5), 5e-4) << name;
+    const TransferCurve& curve = device.transfer[1];  // of the largest code: PQ goes beyond white
+    EXPECT_NEAR(values[1][1], curve.decode(0.5) / curve.decode(1), 5e-4) << name;
     cmsDeleteTransform(transform);
     cmsCloseProfile(xyz);
     cmsCloseProfile(profile);
   }
+}
+
+TEST(PictureFile, EveryLosslessFormatComesBackToTheCode) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.tif", "a.dpx"})
+    for (const int bits : bitsOf(pictureFormat(name))) {
+      CodeImage image = pattern(bits);
+      if (bits == 10)
+        for (auto& code : image.rgb) code = static_cast<std::uint16_t>(code & 0x3FF);
+      const std::string path = (folder.path() / name).string();
+      writePicture(path, image, readDevice("srgb"));
+      const CodeImage back = readPicture(path);
+      EXPECT_EQ(back.width, image.width) << name;
+      EXPECT_EQ(back.bits, bits) << name;
+      EXPECT_EQ(back.rgb, image.rgb) << name << " " << bits;
+    }
+}
+
+TEST(PictureFile, DamagedPicturesAreRefused) {
+  const CodeImage image = pattern(8);
+  CodeImage ten = image;
+  ten.bits = 10;
+  const Device device = readDevice("srgb");
+  const std::string png = encodePng(image, device), tiff = encodeTiff(pattern(16), device),
+                    dpx = encodeDpx(ten, device);
+  for (std::size_t size = 0; size < png.size(); size += 17)
+    EXPECT_THROW(decodePng(png.substr(0, size), "cut"), core::InputError) << size;
+  for (std::size_t size = 0; size < dpx.size(); size += 97)
+    EXPECT_THROW(decodeDpx(dpx.substr(0, size), "cut"), core::InputError) << size;
+  for (std::size_t size = 0; size < 200; size += 13)  // further on stand the profile and texts
+    EXPECT_THROW(decodeTiff(tiff.substr(0, size), "cut"), core::InputError) << size;
+}
+
+TEST(PictureFile, PqPngSaysSoInItsOwnChunk) {
+  const std::string bytes = encodePng(pattern(16), readDevice("rec2020-pq"));
+  const std::size_t chunk = bytes.find("cICP");
+  ASSERT_NE(chunk, std::string::npos);
+  EXPECT_EQ(bytes.substr(chunk + 4, 4), std::string("\x09\x10\x00\x01", 4));  // BT.2020, ST 2084, RGB, full range
+  EXPECT_LT(chunk, bytes.find("IDAT"));
 }
 
 TEST(PictureFile, ProfileDependsOnTheDeviceAlone) {
@@ -121,15 +162,16 @@ TEST(PictureFile, ProfileDependsOnTheDeviceAlone) {
 }
 
 TEST(PictureFile, OtherEndingsAreRefused) {
-  for (const char* path : {"a.dpx", "a.jpg", "a.exr", "a", ""})
-    EXPECT_THROW(pictureFormat(path), core::InputError) << path;
+  for (const char* path : {"a.gif", "a.exr", "a", ""}) EXPECT_THROW(pictureFormat(path), core::InputError) << path;
   EXPECT_EQ(pictureFormat("A.PNG"), PictureFormat::png);
   EXPECT_EQ(pictureFormat("b.tiff"), PictureFormat::tiff);
+  EXPECT_EQ(pictureFormat("c.JPEG"), PictureFormat::jpeg);
+  EXPECT_EQ(pictureFormat("d.dpx"), PictureFormat::dpx);
 }
 
 TEST(PictureFile, FailureLeavesTheEarlierFile) {
   const test::TemporaryFolder folder;
-  const auto earlier = folder.write("view.dpx", "earlier");
+  const auto earlier = folder.write("view.gif", "earlier");
   EXPECT_THROW(writePicture(earlier.string(), pattern(8), readDevice("srgb")), core::InputError);
   EXPECT_EQ(test::contentOf(earlier), "earlier");
 }

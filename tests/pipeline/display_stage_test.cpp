@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "display/device.h"
+#include "display/mapping.h"
 #include "image/exr.h"
 #include "pipeline/stages.h"
 #include "support/temporary_folder.h"
@@ -74,17 +76,73 @@ TEST(DisplayStage, BadInputIsRefusedAndEarlierPicturesStay) {
   const auto image = folder.path() / "view.exr";
   writeTestImage(image);
   const auto earlier = folder.write("earlier.png", "earlier");
-  const std::map<std::string, std::string> wrong[] = {
-      {{"device", "no-such-device"}},        {{"exposure", "bright"}}, {{"white", "-1"}},
-      {{"white", "100"}, {"exposure", "9"}}, {{"adapt", "0.9,0.9"}},   {{"bits", "12"}}};
+  const std::map<std::string, std::string> wrong[] = {{{"device", "no-such-device"}},
+                                                      {{"exposure", "bright"}},
+                                                      {{"white", "-1"}},
+                                                      {{"white", "100"}, {"exposure", "9"}},
+                                                      {{"adapt", "0.9,0.9"}},
+                                                      {{"bits", "12"}},
+                                                      {{"mapping", "warp"}},
+                                                      {{"mapping", "ward:glue"}},
+                                                      {{"gamut", "stretch"}},
+                                                      {{"cat", "cat99"}},
+                                                      {{"map", "map.gif"}},
+                                                      {{"mapping", "ward"}, {"white", "100"}}};
   for (const auto& options : wrong) {
     EXPECT_THROW(runDisplay(image, earlier, options), core::InputError) << options.begin()->first;
   }
   EXPECT_THROW(runDisplay(folder.write("damaged.exr", "no image"), earlier), core::InputError);
   EXPECT_THROW(runDisplay(folder.path() / "absent.exr", earlier), core::InputError);
   EXPECT_THROW(runDisplay(image, image), core::InputError) << "the image must not become the picture";
-  EXPECT_THROW(runDisplay(image, folder.path() / "view.dpx"), core::InputError);
+  EXPECT_THROW(runDisplay(image, folder.path() / "view.gif"), core::InputError);
   EXPECT_EQ(test::contentOf(earlier), "earlier");
+}
+
+TEST(DisplayStage, EveryMappingAndEveryDeviceGivesAPicture) {
+  const test::TemporaryFolder folder;
+  writeTestImage(folder.path() / "view.exr", true);
+  for (const auto& mapping : display::mappingTypes()) {
+    const auto report = runDisplay(folder.path() / "view.exr", folder.path() / "a.png", {{"mapping", mapping.name}});
+    EXPECT_EQ(report.json.find("mapping")->string(), mapping.name);
+    EXPECT_GT(std::filesystem::file_size(folder.path() / "a.png"), 200U) << mapping.name;
+    EXPECT_LT(report.json.find("clipped")->find("fraction")->number(), 1) << mapping.name;
+  }
+  for (const auto& device : display::presetNames()) {
+    const auto report =
+        runDisplay(folder.path() / "view.exr", folder.path() / "a.dpx", {{"device", device}, {"gamut", "neutral"}});
+    EXPECT_EQ(report.json.find("bits")->number(), 10) << device;
+    EXPECT_EQ(report.json.find("rgb_from_xyz")->array().size(), 3U) << device;
+  }
+}
+
+// The way back: what the picture shows is what was asked for, within the rounding of ten bits.
+TEST(DisplayStage, InverseGivesTheLightOfThePicture) {
+  const test::TemporaryFolder folder;
+  writeTestImage(folder.path() / "view.exr");
+  for (const char* device : {"studio-monitor-1985", "film-negative-print"}) {
+    runDisplay(folder.path() / "view.exr", folder.path() / "view.dpx",
+               {{"device", device}, {"mapping", "none"}, {"gamut", "neutral"}});
+    const auto report =
+        runDisplay(folder.path() / "view.dpx", folder.path() / "back.exr", {{"device", device}, {"inverse", "true"}});
+    EXPECT_EQ(report.json.find("unit")->string(), "cd/m2");
+    const auto wanted = image::readExr((folder.path() / "view.exr").string());
+    const auto back = image::readExr((folder.path() / "back.exr").string());
+    EXPECT_NEAR(back.y[1], wanted.y[1], 0.02F * wanted.y[1]) << device;  // 11 cd/m2
+    EXPECT_NEAR(back.y[3], wanted.y[3], 0.02F * wanted.y[3]) << device;  // 31 cd/m2
+    EXPECT_LT(back.y[30], 130) << device << " has no more";
+  }
+}
+
+TEST(DisplayStage, MeasuredPatchesAreComparedWithTheDevice) {
+  const test::TemporaryFolder folder;
+  const auto patches =
+      folder.write("patches.txt", "# R G B X Y Z\n255 255 255 76.04 80 87.1\n0,0,0\n255 0 0 34 17 1.5\n");
+  const auto report = runDisplay(patches, {}, {{"inverse", "true"}});
+  EXPECT_EQ(report.json.find("patches")->array().size(), 3U);
+  EXPECT_LT(report.json.find("patches")->array().at(0).find("delta_e00")->number(), 0.1);
+  EXPECT_GT(report.json.find("delta_e00_max")->number(), 0.1);
+  EXPECT_THROW(runDisplay(folder.write("bad.txt", "256 0 0\n"), {}, {{"inverse", "true"}}), core::InputError);
+  EXPECT_THROW(runDisplay(folder.write("bad.txt", "1 2\n"), {}, {{"inverse", "true"}}), core::InputError);
 }
 
 TEST(DisplayStage, TiffHasSixteenBits) {
