@@ -148,7 +148,7 @@ plot::Rgb colourOf(const material::Material& material) {
   const Vec3 linear = toRgb * Vec3(colour.X, colour.Y, colour.Z);
   plot::Rgb rgb{};
   for (int k = 0; k < 3; ++k) {
-    const double code = srgb.transfer.encode(std::clamp(linear[k], 0.0, 1.0));
+    const double code = srgb.transfer.front().encode(std::clamp(linear[k], 0.0, 1.0));
     rgb[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * code));
   }
   return rgb;
