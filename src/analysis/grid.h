@@ -17,6 +17,7 @@ struct Grid {
   std::vector<core::Vec3> points;            ///< values run u fastest
   std::vector<core::Vec3> normals;           ///< unit, one per point
   std::optional<std::array<int, 2>> counts;  ///< for a regular grid: along u, along v
+  core::Vec3 axis{0, 0, 1};                  ///< unit, of cylindrical quantities
   core::Vec3 origin{0}, u{0}, v{0};          ///< regular grid: corner and full edges
   core::SourcePosition position;
 };

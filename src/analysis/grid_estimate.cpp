@@ -49,9 +49,10 @@ double now() {
 
 class GridRun {
  public:
-  GridRun(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers, std::uint64_t key,
-          const GridAccuracy& accuracy)
+  GridRun(const solver::Solver& solver, const Quantity& quantity, const std::vector<solver::Receiver>& receivers,
+          std::uint64_t key, const GridAccuracy& accuracy)
       : solver_(solver),
+        quantity_(quantity),
         receivers_(receivers),
         key_(key),
         accuracy_(accuracy),
@@ -83,8 +84,8 @@ class GridRun {
         const std::size_t i = points[j];
         for (std::uint64_t r = 0; r < replicateCount; ++r) {
           const std::uint64_t key = core::combine(pointKey(i, round_), r);
-          fresh[r][j] = (whole_[i] ? solver_.wholeIlluminance(receivers_[i], *plans_[i], key, samples_[i])
-                                   : solver_.illuminance(receivers_[i], *plans_[i], key, samples_[i]))[1];
+          fresh[r][j] = of(whole_[i] ? solver_.wholeIlluminance(receivers_[i], *plans_[i], key, samples_[i])
+                                     : solver_.illuminance(receivers_[i], *plans_[i], key, samples_[i]));
         }
       }
     });
@@ -97,7 +98,7 @@ class GridRun {
       for (std::size_t r = 0; r < replicateCount; ++r) {
         const std::size_t i = points[j];
         gathered_[r][i] = fresh[r][j];
-        replicates_[r][i] = fresh[r][j] + (whole_[i] ? 0 : remainder_.factors[r] * plans_[i]->interreflected);
+        replicates_[r][i] = fresh[r][j] + (whole_[i] ? 0 : remainder_.factors[r] * of(plans_[i]->interreflected));
       }
     return true;
   }
@@ -143,7 +144,7 @@ class GridRun {
     std::vector<double> need(chosen.size());
     double pooled = 0;
     for (std::size_t j = 0; j < chosen.size(); ++j) {
-      const double ratio = half[j] / roomFor(value[j], mean, plans_[chosen[j]]->quadratureBound);
+      const double ratio = half[j] / roomFor(value[j], mean, of(plans_[chosen[j]]->quadratureBound));
       need[j] = ratio * ratio * pilotSamples;
       pooled += need[j] / static_cast<double>(chosen.size());
     }
@@ -158,12 +159,12 @@ class GridRun {
 
   /// Measures what the solver misses; rounds after this add it.
   void findRemainder(double secondsLeft, core::ProgressSink& progress) {
-    remainder_ = estimateRemainder(solver_, receivers_, plans_, core::combine(key_, remainderKey),
+    remainder_ = estimateRemainder(solver_, quantity_, receivers_, plans_, core::combine(key_, remainderKey),
                                    remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence,
                                    secondsLeft, progress);
     // A solution that is wrong by so different amounts over the grid is no help: paths to their own end instead.
     double interreflected = 0;
-    for (const auto& plan : plans_) interreflected += plan->interreflected / static_cast<double>(plans_.size());
+    for (const auto& plan : plans_) interreflected += of(plan->interreflected) / static_cast<double>(plans_.size());
     if (remainder_.spread * interreflected <= spreadShare * accuracy_.relative * std::abs(roughMean_)) return;
     whole_.assign(whole_.size(), 1);
     for (std::uint32_t& samples : samples_) samples = netSize(wholeGrowth * samples);
@@ -181,12 +182,12 @@ class GridRun {
       const core::ReplicateMean m = core::replicateMean(one);
       e.values[i] = m.mean;
       e.statistical[i] = quantile_ * m.standardError;
-      e.quadrature[i] = plans_[i]->quadratureBound;
+      e.quadrature[i] = of(plans_[i]->quadratureBound);
       e.samples += static_cast<std::uint64_t>(samples_[i]) * replicateCount;
     }
     e.interreflection.resize(n);
     for (std::size_t i = 0; i < n; ++i)
-      e.interreflection[i] = whole_[i] ? 0 : remainder_.spread * plans_[i]->interreflected;
+      e.interreflection[i] = whole_[i] ? 0 : remainder_.spread * of(plans_[i]->interreflected);
     Systematic bias{{"source_subdivision", e.quadrature}};
     if (!solver_.isUnbiased()) bias["interreflection"] = e.interreflection;
     summarise(replicates_, bias, accuracy_.confidence, e);
@@ -221,7 +222,7 @@ class GridRun {
     // More samples do not help against the noise of what all points have in common.
     const core::ReplicateMean common = core::replicateMean(remainder_.factors);
     double interreflected = 0;
-    for (const auto& plan : plans_) interreflected += plan->interreflected / static_cast<double>(n);
+    for (const auto& plan : plans_) interreflected += of(plan->interreflected) / static_cast<double>(n);
     const double room = allowed(e.mean.value, e.mean.value);
     const bool all =
         e.mean.halfWidth() > room && quantile_ * common.standardError * interreflected < commonShare * room;
@@ -269,6 +270,10 @@ class GridRun {
  private:
   static constexpr double chiSquared95 = 24.996;  // 95 % point with 15 degrees of freedom (NIST handbook, 1.3.6.7.4)
 
+  /// The quantity's part of a response.
+  [[nodiscard]] double of(const solver::Response& response) const {
+    return quantity_.factor * response[quantity_.channel];
+  }
   [[nodiscard]] std::uint64_t pointKey(std::size_t point, std::uint64_t round) const {
     return core::combine(core::combine(key_, point), round);
   }
@@ -293,6 +298,7 @@ class GridRun {
   }
 
   const solver::Solver& solver_;
+  const Quantity& quantity_;
   const std::vector<solver::Receiver>& receivers_;
   std::uint64_t key_;
   GridAccuracy accuracy_;
@@ -321,13 +327,14 @@ GridEstimate nothingYet(std::size_t points) {
 
 }  // namespace
 
-GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
-                          std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
-                          core::ProgressSink& progress, const std::string& task, const GridObserver& partial) {
+GridEstimate estimateGrid(const solver::Solver& solver, const Quantity& quantity,
+                          const std::vector<solver::Receiver>& receivers, std::uint64_t key,
+                          const GridAccuracy& accuracy, const EffortLimit& limit, core::ProgressSink& progress,
+                          const std::string& task, const GridObserver& partial) {
   const double start = now();
   const auto seconds = [&] { return now() - start; };
 
-  GridRun run(solver, receivers, key, accuracy);
+  GridRun run(solver, quantity, receivers, key, accuracy);
   progress.progress(task, 0, "looking at the light that each point sees");
   run.plan();
   std::vector<std::size_t> points(receivers.size());

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/quantity.h"
 #include "core/estimate.h"
 #include "core/progress.h"
 #include "solver/solver.h"
@@ -48,11 +49,12 @@ struct GridEstimate {
 /// Sees each round's estimate while the work goes on; called from the calling thread.
 using GridObserver = std::function<void(const GridEstimate&)>;
 
-/// Estimates the illuminance at all receivers (world frame). `key` makes the run's random numbers; receivers must not
-/// be empty.
-GridEstimate estimateGrid(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
-                          std::uint64_t key, const GridAccuracy& accuracy, const EffortLimit& limit,
-                          core::ProgressSink& progress, const std::string& task, const GridObserver& partial = {});
+/// Estimates a quantity at all receivers (world frame; their bodies are the quantity's). `key` makes the run's random
+/// numbers; receivers must not be empty.
+GridEstimate estimateGrid(const solver::Solver& solver, const Quantity& quantity,
+                          const std::vector<solver::Receiver>& receivers, std::uint64_t key,
+                          const GridAccuracy& accuracy, const EffortLimit& limit, core::ProgressSink& progress,
+                          const std::string& task, const GridObserver& partial = {});
 
 /// A bound of the deterministic error of each point, by cause.
 using Systematic = std::map<std::string, std::vector<double>>;

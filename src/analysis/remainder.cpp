@@ -47,14 +47,16 @@ double spreadOf(const Round& estimate, std::size_t usedBands) {
 
 }  // namespace
 
-Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
+Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quantity,
+                            const std::vector<solver::Receiver>& receivers,
                             const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
                             double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress) {
+  const auto of = [&](const solver::Response& response) { return quantity.factor * response[quantity.channel]; };
   Remainder remainder;
   remainder.factors.assign(replicateCount, 0.0);
   if (solver.isUnbiased()) return remainder;
   double interreflected = 0;
-  for (const auto& plan : plans) interreflected += plan->interreflected / static_cast<double>(plans.size());
+  for (const auto& plan : plans) interreflected += of(plan->interreflected) / static_cast<double>(plans.size());
   if (!(interreflected > 0)) return remainder;
 
   const std::size_t points = receivers.size();
@@ -70,7 +72,7 @@ Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solv
           const double place = j * 0.6180339887498949 + shift;
           const auto i =
               std::min(points - 1, static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(points)));
-          const double missed = solver.missed(receivers[i], replicateKey, j);
+          const double missed = of(solver.missed(receivers[i], replicateKey, j));
           result.missed[r] += missed / paths;
           result.byBand[r][i * usedBands / points] += missed / paths * static_cast<double>(usedBands);
         }

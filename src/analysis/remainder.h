@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "analysis/quantity.h"
 #include "core/progress.h"
 #include "solver/solver.h"
 
@@ -25,7 +26,8 @@ struct Remainder {
 /// `plans` of the same receivers. Goes on until the noise of the factor times the mean interreflected light is below
 /// `allowed` lx (half-width at `confidence`), or until some half a million paths or `secondsLeft` are used up; what
 /// noise is left is in the intervals. All zero for an unbiased solver.
-Remainder estimateRemainder(const solver::Solver& solver, const std::vector<solver::Receiver>& receivers,
+Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quantity,
+                            const std::vector<solver::Receiver>& receivers,
                             const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
                             double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress);
 

@@ -83,4 +83,10 @@ double Sampler::value(unsigned d) const {
   return reverseBits(laineKarras(reversed, scramble)) * 0x1p-32;
 }
 
+std::uint64_t keyOf(std::uint64_t seed, const std::string& name) {
+  std::uint64_t key = mix(seed);
+  for (const char c : name) key = combine(key, static_cast<unsigned char>(c));
+  return key;
+}
+
 }  // namespace goniolux::core

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "core/vector.h"
 
@@ -23,6 +24,9 @@ constexpr std::uint64_t mix(std::uint64_t x) {
 constexpr std::uint64_t combine(std::uint64_t key, std::uint64_t word) {
   return mix(key ^ mix(word));
 }
+
+/// The key of what a name stands for, in a run with this seed.
+std::uint64_t keyOf(std::uint64_t seed, const std::string& name);
 
 /// The numbers of one sample of one key; each call uses up dimensions.
 class Sampler {

@@ -31,20 +31,11 @@ std::string resultsFolder(const StageRequest& request, const project::Project& p
   return (std::filesystem::path(project.folder) / "results").string();
 }
 
-namespace {
-
-std::unique_ptr<solver::Solver> makeSolver(const Engine& engine) {
-  return solver::findSolverType(engine.plan.solver)
-      ->make({engine.world, engine.tracer, engine.plan.quadrature, engine.plan.accuracy, engine.plan.tree});
-}
-
-}  // namespace
-
 Engine::Engine(const project::Project& project, bool forColour)
     : world(scene::buildWorld(project.environment)),
       tracer(world),
       plan(planner::makePlan(project, world, forColour)),
-      solver(makeSolver(*this)) {}
+      solver(solver::findSolverType(plan.solver)->make(problem())) {}
 
 std::vector<std::string> leftOutSentences(const Engine& engine) {
   std::vector<std::string> sentences = engine.solver->leftOut();

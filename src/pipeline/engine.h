@@ -25,6 +25,8 @@ std::string resultsFolder(const StageRequest& request, const project::Project& p
 struct Engine {
   Engine(const project::Project& project, bool forColour);
 
+  [[nodiscard]] solver::Problem problem() const { return {world, tracer, plan.quadrature, plan.accuracy, plan.tree}; }
+
   scene::World world;
   tracer::Tracer tracer;
   planner::Plan plan;

@@ -9,30 +9,17 @@
 #include "analysis/grid_estimate.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "geometry/inside.h"
+#include "pipeline/observe.h"
 #include "pipeline/outline.h"
 #include "pipeline/requirements.h"
 #include "pipeline/result_files.h"
+#include "pipeline/solids.h"
 #include "pipeline/stages.h"
 
 namespace goniolux::pipeline {
 namespace {
 
 using core::Vec3;
-
-std::vector<geometry::InsideTest> solidsOf(const project::Project& project) {
-  std::vector<geometry::InsideTest> solids;
-  for (const scene::Object& object : project.environment.objects)
-    if (object.shape.closed && !object.facesInward)
-      for (const core::Mat4& place : scene::placesOf(object)) solids.emplace_back(object.shape, place);
-  return solids;
-}
-
-std::uint64_t keyOf(std::uint64_t seed, const std::string& name) {
-  std::uint64_t key = core::mix(seed);
-  for (const char c : name) key = core::combine(key, static_cast<unsigned char>(c));
-  return key;
-}
 
 // With one maintenance factor throughout, initial values are the maintained ones over it.
 std::optional<double> commonMaintenance(const project::Project& project) {
@@ -62,6 +49,8 @@ class GridStage {
     project::GridResult result;
     result.name = grid.name;
     result.quantity = grid.quantity;
+    const analysis::Quantity& quantity = *analysis::findQuantity(grid.quantity);
+    result.unit = quantity.unit;
     result.counts = grid.counts;
     if (grid.counts) result.plane = project::GridPlane{grid.origin, grid.u, grid.v};
     result.points = grid.points;
@@ -73,7 +62,7 @@ class GridStage {
         result.excluded.push_back(i);
         continue;
       }
-      receivers.push_back({grid.points[i] - engine_.world.origin, grid.normals[i]});
+      receivers.push_back({grid.points[i] - engine_.world.origin, grid.normals[i], quantity.body, grid.axis});
       index.push_back(i);
     }
     if (receivers.empty())
@@ -91,7 +80,7 @@ class GridStage {
       };
     const auto& asked = project_.settings.accuracy;
     const analysis::GridEstimate e = analysis::estimateGrid(
-        *engine_.solver, receivers, keyOf(project_.settings.seed, grid.name),
+        *engine_.solver, quantity, receivers, core::keyOf(project_.settings.seed, grid.name),
         {asked.grid, asked.u0, asked.confidence, 0.01}, {secondsLeft}, progress_, grid.name, observer);
     fill(result, e, index);
     if (!e.reached) {
@@ -185,7 +174,7 @@ project::Results calculateGrids(const project::Project& project, const Engine& e
   results.leftOut = leftOutSentences(engine);
 
   GridStage stage(project, engine, progress, partial);
-  std::size_t left = project.grids.size();
+  std::size_t left = project.grids.size() + (project.observers.empty() ? 0 : 1);
   for (const analysis::Grid& grid : project.grids) {
     // What is left of the time limit is shared by the grids that are left.
     const double limit = project.settings.timeLimit_s
@@ -194,6 +183,9 @@ project::Results calculateGrids(const project::Project& project, const Engine& e
     results.grids.push_back(stage.calculate(grid, limit, results.reached, results.reachedText));
     --left;
   }
+  const double rest = project.settings.timeLimit_s ? std::max(0.0, *project.settings.timeLimit_s - elapsed())
+                                                   : std::numeric_limits<double>::infinity();
+  rateObservers(project, engine, rest, progress, results);
   results.requirements = judge(project, results);
   results.wallTime_s = elapsed();
   results.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
@@ -221,6 +213,17 @@ std::string resultsText(const project::Results& results) {
     line("U0", grid.u0, "");
     line("Ud", grid.ud, "");
   }
+  for (const project::ObserverResult& observer : results.observers) {
+    text += fmt::format("  {} ({}) {:>10.1f} ± {:.2g}, background {:.3g} cd/m2\n", observer.name, "UGR",
+                        observer.value.value, observer.value.halfWidth(), observer.background.value);
+    constexpr std::size_t shown = 3;
+    for (std::size_t i = 0; i < std::min(shown, observer.sources.size()); ++i) {
+      const project::GlareSourceResult& source = observer.sources[i];
+      text +=
+          fmt::format("    {:<12}{:>5.0f} % of the glare: {:.4g} cd/m2, {:.2g} sr, position index {:.3g}\n",
+                      source.luminaire, 100 * source.share, source.luminance, source.solidAngle, source.positionIndex);
+    }
+  }
   for (const project::RequirementResult& requirement : results.requirements) {
     using Verdict = project::RequirementResult::Verdict;
     const char* verdict = requirement.verdict == Verdict::pass   ? "pass"
@@ -239,11 +242,10 @@ std::string resultsText(const project::Results& results) {
 Stage illuminateStage() {
   Stage stage;
   stage.name = "illuminate";
-  stage.title = "Calculate the grids of a project";
+  stage.title = "Calculate the grids and observers of a project";
   stage.help =
-      "Illuminance at every grid point with its half-width, to the accuracy asked for. Writes grids.json, and a CSV "
-      "and a "
-      ".vtp file per grid.";
+      "The quantity of every grid at its points and the UGR of every observer, with half-widths, to the accuracy asked "
+      "for. Writes grids.json, and a CSV and a .vtp file per grid.";
   stage.inputName = "PROJECT";
   stage.run = illuminate;
   return stage;

@@ -33,14 +33,15 @@ Forecast forecast(const project::Project& project, const Engine& engine) {
   core::SilentProgress silent;
   const auto& accuracy = project.settings.accuracy;
   for (const analysis::Grid& grid : project.grids) {
+    const analysis::Quantity& quantity = *analysis::findQuantity(grid.quantity);
     std::vector<solver::Receiver> some;
     const std::size_t step = std::max<std::size_t>(1, grid.points.size() / 64);
     for (std::size_t i = step / 2; i < grid.points.size(); i += step)
-      some.push_back({grid.points[i] - engine.world.origin, grid.normals[i]});
+      some.push_back({grid.points[i] - engine.world.origin, grid.normals[i], quantity.body, grid.axis});
     if (some.empty()) continue;
     double reached = coarser;
     const double seconds = secondsFor([&] {
-      const auto e = analysis::estimateGrid(*engine.solver, some, core::mix(1),
+      const auto e = analysis::estimateGrid(*engine.solver, quantity, some, core::mix(1),
                                             {coarser * accuracy.grid, coarser * accuracy.u0, accuracy.confidence, 0.01},
                                             {5.0}, silent, grid.name);
       // The share of the allowed half-width that the coarse run used, typically.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/quantity.h"
 #include "reflection/shading.h"
 #include "solver/solver.h"
 #include "spectrum/schemes.h"
@@ -94,12 +95,8 @@ const Section& gridSection() {
        {.name = "points", .form = Form::points, .help = "single points instead of origin, u, v and counts"},
        {.name = "normal", .form = Form::direction, .help = "that the measuring surface faces; default u x v, or up"},
        {.name = "normals", .form = Form::directions, .help = "one for each of points"},
-       {.name = "quantity",
-        .form = Form::choice,
-        .help = "what is measured",
-        .choices = {"illuminance"},
-        .planned = {"cylindrical", "semi-cylindrical", "hemispherical", "spherical", "melanopic-edi"}},
-       {.name = "axis", .form = Form::direction, .help = "of cylindrical quantities", .isPlanned = true}}};
+       {.name = "quantity", .form = Form::choice, .help = "what is measured", .choices = analysis::quantityNames()},
+       {.name = "axis", .form = Form::direction, .help = "of cylindrical quantities; default up"}}};
   return section;
 }
 
@@ -108,7 +105,7 @@ const Section& observerSection() {
                                {{.name = "name", .form = Form::text, .help = "unique", .required = true},
                                 {.name = "eye", .form = Form::point, .help = "position of the eye", .required = true},
                                 {.name = "direction", .form = Form::direction, .help = "of view", .required = true},
-                                {.name = "quantity", .form = Form::choice, .help = "rating", .planned = {"ugr"}}}};
+                                {.name = "quantity", .form = Form::choice, .help = "rating", .choices = {"ugr"}}}};
   return section;
 }
 

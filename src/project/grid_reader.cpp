@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/quantity.h"
 #include "core/closest_name.h"
 #include "project/section_reader.h"
 
@@ -78,6 +79,28 @@ bool readPointList(SectionReader& section, analysis::Grid& grid) {
   return true;
 }
 
+// The axis of cylindrical quantities; a half cylinder's normal is made perpendicular to it.
+bool readAxis(SectionReader& section, analysis::Grid& grid) {
+  const analysis::Quantity* quantity = analysis::findQuantity(grid.quantity);
+  if (quantity == nullptr) return false;  // refused already
+  if (section.has("axis") && !quantity->hasAxis) {
+    section.refuse("axis", "grid-form", fmt::format("\"axis\" means nothing for the quantity \"{}\"", grid.quantity));
+    return false;
+  }
+  grid.axis = section.direction("axis").value_or(core::Vec3(0, 0, 1));
+  if (quantity->body != solver::ReceiverBody::halfCylinder) return true;
+  for (core::Vec3& normal : grid.normals) {
+    const core::Vec3 across = normal - grid.axis * glm::dot(grid.axis, normal);
+    if (!(glm::length(across) > 1e-6)) {
+      section.refuse("quantity", "grid-form",
+                     "a half cylinder needs to know where it faces: give a \"normal\" that is not along its axis");
+      return false;
+    }
+    normal = glm::normalize(across);
+  }
+  return true;
+}
+
 std::optional<analysis::Limit> readLimit(const core::Value& value, const std::string& key, Reading& reading) {
   SectionReader section(value, limitSection(), reading);
   if (section.failed()) return std::nullopt;
@@ -116,7 +139,7 @@ std::vector<analysis::Grid> readGrids(const core::Value& value, Reading& reading
       return;
     }
     const bool good = section.has("points") ? readPointList(section, grid) : readRegular(section, grid);
-    if (good) grids.push_back(std::move(grid));
+    if (good && readAxis(section, grid)) grids.push_back(std::move(grid));
   });
   return grids;
 }
@@ -129,11 +152,7 @@ std::vector<analysis::Observer> readObservers(const core::Value& value, Reading&
     analysis::Observer observer;
     observer.position = entry.position();
     observer.name = section.text("name").value_or("");
-    if (section.has("quantity")) {
-      section.choice("quantity");
-    } else {
-      reading.notSupported(entry.position(), "the quantity \"ugr\" of an observer");
-    }
+    observer.quantity = section.choice("quantity").value_or("ugr");
     const auto eye = section.point("eye"), direction = section.direction("direction");
     if (!eye || !direction) return;
     observer.eye = *eye;

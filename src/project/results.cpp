@@ -134,6 +134,20 @@ Value toJson(const Results& results) {
     entry.set("quantity", observer.quantity);
     const Value estimate = toJson(observer.value);
     for (const auto& [key, value] : estimate.object()) entry.set(key, value);
+    entry.set("eye", vector3(observer.eye));
+    entry.set("direction", vector3(observer.direction));
+    entry.set("background_cd_m2", toJson(observer.background));
+    Value::Array sources;
+    for (const GlareSourceResult& source : observer.sources) {
+      Value part;
+      part.set("luminaire", source.luminaire);
+      part.set("luminance_cd_m2", source.luminance);
+      part.set("solid_angle_sr", source.solidAngle);
+      part.set("position_index", source.positionIndex);
+      part.set("share", source.share);
+      sources.push_back(std::move(part));
+    }
+    entry.set("glare_sources", std::move(sources));
     observers.push_back(std::move(entry));
   }
   for (const RequirementResult& requirement : results.requirements) {

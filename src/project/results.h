@@ -46,9 +46,21 @@ struct GridResult {
   std::optional<core::Estimate> initialMean;
 };
 
+/// A luminaire that an observer sees, as the glare rating counts it.
+struct GlareSourceResult {
+  std::string luminaire;
+  double luminance = 0;   ///< cd/m2, mean of the luminous part that is seen
+  double solidAngle = 0;  ///< sr
+  double positionIndex = 1;
+  double share = 0;  ///< of the glare sum, 0 to 1
+};
+
 struct ObserverResult {
   std::string name, quantity = "ugr";
   core::Estimate value;
+  core::Vec3 eye{0}, direction{1, 0, 0};     ///< project frame
+  core::Estimate background{};               ///< luminance, cd/m2
+  std::vector<GlareSourceResult> sources{};  ///< the largest share first
 };
 
 struct RequirementResult {

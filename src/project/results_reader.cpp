@@ -200,7 +200,7 @@ class Reader {
     return estimateMembers(*value);
   }
 
-  /// U0 and Ud are null where no light arrives (0/0).
+  /// Null where no light arrives (U0 and Ud: 0/0) and in an interrupted run.
   Estimate ratio(const Value& object, std::string_view key) {
     const Value* json = object.find(key);
     if (const Value* value = json ? json->find("value") : nullptr; value && value->isNull()) return {nan, nan, {}};
@@ -301,7 +301,24 @@ class Reader {
       complain(json, "an observer must be an object");
       return {};
     }
-    return {text(json, "name", true), text(json, "quantity", true), estimateMembers(json)};
+    ObserverResult observer;
+    observer.name = text(json, "name", true);
+    observer.quantity = text(json, "quantity", true);
+    const Value* value = json.find("value");  // null: a rating without background, or an interrupted run
+    observer.value = value != nullptr && value->isNull() ? Estimate{nan, nan, {}} : estimateMembers(json);
+    if (const Value* eye = json.find("eye")) observer.eye = vector3(*eye, "an eye");
+    if (const Value* direction = json.find("direction")) observer.direction = vector3(*direction, "a direction");
+    if (json.find("background_cd_m2")) observer.background = ratio(json, "background_cd_m2");
+    for (const Value& entry : list(json, "glare_sources", false)) {
+      if (!entry.isObject()) {
+        complain(entry, "a glare source must be an object");
+        continue;
+      }
+      observer.sources.push_back({text(entry, "luminaire", true), number(entry, "luminance_cd_m2", 0, infinity),
+                                  number(entry, "solid_angle_sr", 0, infinity),
+                                  number(entry, "position_index", 0, infinity), number(entry, "share", 0, 1.000001)});
+    }
+    return observer;
   }
 
   RequirementResult requirement(const Value& json) {

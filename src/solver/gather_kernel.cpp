@@ -274,13 +274,12 @@ void GatherSolver<W>::setResponses() {
 }
 
 template <int W>
-double GatherSolver<W>::missed(const Receiver& receiver, std::uint64_t key, std::uint32_t sample) const {
-  const Vertex at{receiver.point, this->tracer_.leave(receiver.point, receiver.normal), receiver.normal};
+Response GatherSolver<W>::missed(const Receiver& receiver, std::uint64_t key, std::uint32_t sample) const {
   std::uint64_t rays = 0;
   Response result{};
-  this->addPath(result, at, key, sample, Ending::remainder, rays);
+  this->addPath(result, receiver, key, sample, Ending::remainder, rays);
   this->rays_.fetch_add(rays, std::memory_order_relaxed);
-  return result[1];
+  return result;
 }
 
 template class GatherSolver<1>;

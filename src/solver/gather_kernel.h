@@ -17,7 +17,7 @@ class GatherSolver final : public PathSolver<W> {
                                        std::uint32_t sample) const override {
     return this->radianceBy(Ending::remainder, origin, direction, key, sample)[1];
   }
-  [[nodiscard]] double missed(const Receiver& receiver, std::uint64_t key, std::uint32_t sample) const override;
+  [[nodiscard]] Response missed(const Receiver& receiver, std::uint64_t key, std::uint32_t sample) const override;
 
  private:
   using Base = PathSolver<W>;

@@ -82,17 +82,23 @@ Response PathSolver<W>::exactResponse(const Light& light, double value) const {
 }
 
 template <int W>
-Response PathSolver<W>::connectOnce(const LightPlan& plan, const Vertex& at, const core::Vec2& u,
+double PathSolver<W>::answerTo(const Light& light, const Receiver& receiver, const Vec3& unfoldedDirection) const {
+  return receiver.response(lights_->fold(light, unfoldedDirection));
+}
+
+template <int W>
+Response PathSolver<W>::connectOnce(const LightPlan& plan, const Receiver& receiver, const core::Vec2& u,
                                     std::uint64_t& rays) const {
   const Light& light = lights_->lights()[plan.light];
-  const Unfolded seen = lights_->unfold(light, at.point, at.normal);
+  const Unfolded seen = lights_->unfold(light, receiver.point, receiver.normal);
   const emitter::IncidentLight incident = light.emitter->sample(seen.point, u);
   Response result{};
-  const double cosine = glm::dot(incident.direction, seen.normal);
-  if (incident.normalIlluminance <= 0 || cosine <= 0) return result;
+  if (incident.normalIlluminance <= 0) return result;
+  const double answer = answerTo(light, receiver, incident.direction);
+  if (answer <= 0) return result;
   Spectral filter = Spectral::filled(1);
-  const bool visible = connected(light, at, incident.direction, incident.distance, filter, rays);
-  const double value = incident.normalIlluminance * cosine;
+  const bool visible = connected(light, vertexOf(receiver), incident.direction, incident.distance, filter, rays);
+  const double value = incident.normalIlluminance * answer;
   // What is seen in full is in the exact part already.
   if (visible && (hasPanes_ || !plan.fromExact)) add(result, light.spectrum, filter, value);
   if (plan.fromExact && (hasPanes_ || !visible)) {
@@ -103,16 +109,18 @@ Response PathSolver<W>::connectOnce(const LightPlan& plan, const Vertex& at, con
 }
 
 template <int W>
-void PathSolver<W>::studyVisibility(LightPlan& entry, const Vertex& at, std::uint64_t key, std::uint64_t& rays) const {
+void PathSolver<W>::studyVisibility(LightPlan& entry, const Receiver& receiver, std::uint64_t key,
+                                    std::uint64_t& rays) const {
   const Light& light = lights_->lights()[entry.light];
-  const Unfolded seen = lights_->unfold(light, at.point, at.normal);
+  const Unfolded seen = lights_->unfold(light, receiver.point, receiver.normal);
+  const Vertex at = vertexOf(receiver);
   const double whole = photopic(exactResponse(light, 1));
   double sum = 0, visibleSum = 0, squaresSeen = 0, squaresLost = 0;
   for (std::uint32_t i = 0; i < entry.pilot; ++i) {
     core::Sampler random(core::combine(core::combine(key, lightStream), entry.light), i);
     const emitter::IncidentLight incident = light.emitter->sample(seen.point, random.next2());
     const double value =
-        std::max(0.0, incident.normalIlluminance) * std::max(0.0, glm::dot(incident.direction, seen.normal));
+        incident.normalIlluminance > 0 ? incident.normalIlluminance * answerTo(light, receiver, incident.direction) : 0;
     sum += value;
     Spectral filter = Spectral::filled(1);
     double visible = 0;
@@ -132,7 +140,7 @@ void PathSolver<W>::studyVisibility(LightPlan& entry, const Vertex& at, std::uin
   bool constant = true;  // mirrors whose reflectance depends on the angle have no exact value to start from
   for (const std::uint32_t plane : light.mirrors)
     constant = constant && !bsdfs_[lights_->planes()[plane].material]->lobes().angular;
-  entry.fromExact = constant && visibleSum >= 0.5 * sum && sum > 0;
+  entry.fromExact = receiver.isPlane() && constant && visibleSum >= 0.5 * sum && sum > 0;
   const double mean = (entry.fromExact ? sum - visibleSum : visibleSum) / n;
   entry.sigma = std::sqrt(std::max(0.0, (entry.fromExact ? squaresLost : squaresSeen) / n - mean * mean));
 }

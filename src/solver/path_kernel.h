@@ -116,9 +116,14 @@ class PathSolver : public Solver {
                  Spectral& filter, std::uint64_t& rays) const;
   /// True when only panes lie on the way.
   bool seenThroughPanes(Vec3 origin, const Vec3& direction, double length, Spectral& filter, std::uint64_t& rays) const;
-  Response connectOnce(const LightPlan& plan, const Vertex& at, const core::Vec2& u, std::uint64_t& rays) const;
+  /// What a receiver makes of a unit of light from a light's (unfolded) direction; 0 below a plane's horizon.
+  [[nodiscard]] double answerTo(const Light& light, const Receiver& receiver, const Vec3& unfoldedDirection) const;
+  [[nodiscard]] Vertex vertexOf(const Receiver& receiver) const {
+    return {receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
+  }
+  Response connectOnce(const LightPlan& plan, const Receiver& receiver, const core::Vec2& u, std::uint64_t& rays) const;
   /// Shadow rays towards a light: what share of it is seen, and how its samples scatter.
-  void studyVisibility(LightPlan& entry, const Vertex& at, std::uint64_t key, std::uint64_t& rays) const;
+  void studyVisibility(LightPlan& entry, const Receiver& receiver, std::uint64_t key, std::uint64_t& rays) const;
   /// Unoccluded illuminance from a light with its mirrors' reflectances, as a response.
   Response exactResponse(const Light& light, double value) const;
   void addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const core::Frame& frame,
@@ -130,14 +135,14 @@ class PathSolver : public Solver {
   /// Adds `factor` times what a cell reflects.
   void addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const;
   [[nodiscard]] Ending ending() const { return solution_ != nullptr ? Ending::solution : Ending::never; }
-  Response directLight(const Plan& plan, const Vertex& at, std::uint64_t key, std::uint32_t samples,
+  Response directLight(const Plan& plan, const Receiver& receiver, std::uint64_t key, std::uint32_t samples,
                        std::uint64_t& rays) const;
   Response radianceBy(Ending ending, const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
                       std::uint32_t sample) const;
   Response illuminanceBy(Ending ending, const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
                          std::uint32_t samples) const;
   /// Adds what one path from a receiver brings after reflections, lx.
-  void addPath(Response& sum, const Vertex& at, std::uint64_t stream, std::uint32_t sample, Ending ending,
+  void addPath(Response& sum, const Receiver& receiver, std::uint64_t stream, std::uint32_t sample, Ending ending,
                std::uint64_t& rays) const;
   /// A path that starts at a receiver whose direct light is counted already.
   [[nodiscard]] Path pathFrom(const Vertex& at, const core::Frame& frame, core::Sampler& random) const;

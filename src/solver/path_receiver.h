@@ -15,21 +15,37 @@ constexpr double pilotRaysTimesAccuracy = 5.12;
 constexpr std::uint32_t pilotPaths = 16;
 constexpr double quadratureTolerance = 1e-4;
 
+/// As Emitter::importance(), for light from any direction.
+inline double importanceAllAround(const emitter::Emitter& emitter, const core::Vec3& point) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    core::Vec3 normal(0);
+    normal[axis] = 1;
+    sum += emitter.importance(point, normal) + emitter.importance(point, -normal);
+  }
+  return sum;
+}
+
 }  // namespace
 
 template <int W>
 std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std::uint64_t key) const {
   auto plan = std::make_unique<Plan>();
-  const Vertex at{receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
   std::uint64_t rays = 0;
 
   std::vector<emitter::Illuminance> unoccluded;
   double total = 0;
   for (std::uint32_t i = 0; i < lights_->lights().size(); ++i) {
     const Light& light = lights_->lights()[i];
+    if (!receiver.directLight && light.mirrors.empty()) continue;
     const Unfolded seen = lights_->unfold(light, receiver.point, receiver.normal);
-    if (light.emitter->importance(seen.point, seen.normal) == 0) continue;
-    const emitter::Illuminance e = light.emitter->illuminance(seen.point, seen.normal, quadratureTolerance);
+    // A body is lit from all around, and has no closed form: its light is sampled.
+    const double importance = receiver.isPlane() ? light.emitter->importance(seen.point, seen.normal)
+                                                 : importanceAllAround(*light.emitter, seen.point);
+    if (importance == 0) continue;
+    const emitter::Illuminance e = receiver.isPlane()
+                                       ? light.emitter->illuminance(seen.point, seen.normal, quadratureTolerance)
+                                       : emitter::Illuminance{importance, 0};
     if (e.value == 0 && e.bound == 0) continue;
     plan->lights.push_back({i, false, 0, 0});
     unoccluded.push_back(e);
@@ -40,16 +56,18 @@ std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std:
     // In proportion to what a light that was wrongly thought to be free could spoil.
     const double share = total > 0 ? unoccluded[i].value / total : 0;
     const Light& light = lights_->lights()[entry.light];
-    if (light.mirrors.empty() && freeView_.isFree(receiver.point, world_.emitters[light.source].bounds, light.source)) {
+    if (receiver.isPlane() && light.mirrors.empty() &&
+        freeView_.isFree(receiver.point, world_.emitters[light.source].bounds, light.source)) {
       entry.fromExact = true;
     } else {
       entry.pilot = static_cast<std::uint32_t>(std::clamp(std::ceil(pilotRays_ * share), 4.0, 0.5 * pilotRays_));
-      studyVisibility(entry, at, key, rays);
+      studyVisibility(entry, receiver, key, rays);
     }
     if (!entry.fromExact) continue;
     const Response exact = exactResponse(lights_->lights()[entry.light], unoccluded[i].value);
     for (std::size_t c = 0; c < exact.size(); ++c) plan->exact[c] += exact[c];
-    plan->quadratureBound += unoccluded[i].bound;
+    const Response bound = exactResponse(lights_->lights()[entry.light], unoccluded[i].bound);
+    for (std::size_t c = 0; c < bound.size(); ++c) plan->quadratureBound[c] += bound[c];
   }
 
   // Spread of single paths, for sharing effort between paths and shadow rays.
@@ -57,20 +75,20 @@ std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std:
   const std::uint64_t stream = core::combine(key, indirectStream);
   for (std::uint32_t i = 0; i < pilotPaths; ++i) {
     Response arrived{};
-    addPath(arrived, at, stream, i, ending(), rays);
+    addPath(arrived, receiver, stream, i, ending(), rays);
+    for (std::size_t c = 0; c < arrived.size(); ++c) plan->interreflected[c] += arrived[c] / pilotPaths;
     sum += photopic(arrived);
     squares += photopic(arrived) * photopic(arrived);
   }
   const double mean = sum / pilotPaths;
-  plan->interreflected = mean;
   plan->indirectSigma = std::sqrt(std::max(0.0, squares / pilotPaths - mean * mean));
   rays_.fetch_add(rays, std::memory_order_relaxed);
   return plan;
 }
 
 template <int W>
-Response PathSolver<W>::directLight(const Plan& plan, const Vertex& at, std::uint64_t key, std::uint32_t samples,
-                                    std::uint64_t& rays) const {
+Response PathSolver<W>::directLight(const Plan& plan, const Receiver& receiver, std::uint64_t key,
+                                    std::uint32_t samples, std::uint64_t& rays) const {
   Response result = plan.exact;
   for (const LightPlan& entry : plan.lights) {
     if (entry.pilot == 0) continue;
@@ -82,7 +100,7 @@ Response PathSolver<W>::directLight(const Plan& plan, const Vertex& at, std::uin
     Response sum{};
     for (std::uint32_t i = 0; i < count; ++i) {
       core::Sampler random(core::combine(core::combine(key, lightStream), entry.light), i);
-      const Response one = connectOnce(entry, at, random.next2(), rays);
+      const Response one = connectOnce(entry, receiver, random.next2(), rays);
       for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += one[c];
     }
     for (std::size_t c = 0; c < sum.size(); ++c) result[c] += sum[c] / count;
@@ -91,22 +109,22 @@ Response PathSolver<W>::directLight(const Plan& plan, const Vertex& at, std::uin
 }
 
 template <int W>
-void PathSolver<W>::addPath(Response& sum, const Vertex& at, std::uint64_t stream, std::uint32_t sample, Ending ending,
-                            std::uint64_t& rays) const {
+void PathSolver<W>::addPath(Response& sum, const Receiver& receiver, std::uint64_t stream, std::uint32_t sample,
+                            Ending ending, std::uint64_t& rays) const {
   core::Sampler random(stream, sample);
-  Path path = pathFrom(at, frameAbout(at.normal), random);
+  const Vec3 normal = receiver.isPlane() ? receiver.normal : receiver.surfaceNormal(random.next2());
+  Path path = pathFrom(vertexOf(receiver), frameAbout(normal), random);
   follow(sum, path, ending, random, rays);
 }
 
 template <int W>
 Response PathSolver<W>::illuminanceBy(Ending ending, const Receiver& receiver, const ReceiverPlan& plan,
                                       std::uint64_t key, std::uint32_t samples) const {
-  const Vertex at{receiver.point, tracer_.leave(receiver.point, receiver.normal), receiver.normal};
   std::uint64_t rays = 0;
-  Response result = directLight(static_cast<const Plan&>(plan), at, key, samples, rays);
+  Response result = directLight(static_cast<const Plan&>(plan), receiver, key, samples, rays);
   const std::uint64_t stream = core::combine(key, indirectStream);
   Response sum{};
-  for (std::uint32_t i = 0; i < samples; ++i) addPath(sum, at, stream, i, ending, rays);
+  for (std::uint32_t i = 0; i < samples; ++i) addPath(sum, receiver, stream, i, ending, rays);
   for (std::size_t c = 0; c < sum.size(); ++c) result[c] += sum[c] / samples;
   rays_.fetch_add(rays, std::memory_order_relaxed);
   return result;

@@ -15,6 +15,7 @@
 #include "core/random.h"
 #include "core/vector.h"
 #include "scene/world.h"
+#include "solver/receiver.h"
 #include "spectrum/spectral_quadrature.h"
 #include "tracer/tracer.h"
 
@@ -22,18 +23,14 @@ namespace goniolux::solver {
 
 using spectrum::Response;
 
-struct Receiver {
-  core::Vec3 point, normal;
-};
-
 /// What a solver found out about a receiver before it estimates: which light is exact, where samples are needed.
 class ReceiverPlan {
  public:
   virtual ~ReceiverPlan() = default;
-  /// Bound of the deterministic part's error, lx ("source_subdivision").
-  double quadratureBound = 0;
-  /// Interreflected illuminance, roughly, lx.
-  double interreflected = 0;
+  /// Bound of the deterministic part's error ("source_subdivision").
+  Response quadratureBound{};
+  /// Interreflected illuminance, roughly.
+  Response interreflected{};
 };
 
 /// A figure of a solver's own: "average_tree_depth".
@@ -64,10 +61,10 @@ class Solver {
 
   /// False for a solver whose expectation is not the answer itself, but the answer less what missed() estimates.
   [[nodiscard]] virtual bool isUnbiased() const { return true; }
-  /// One unbiased estimate of what illuminance() misses at a receiver, lx; may be negative. Samples 0, 1, 2 … of a key
+  /// One unbiased estimate of what illuminance() misses at a receiver; may be negative. Samples 0, 1, 2 … of a key
   /// are spread evenly over directions, also when each is taken at another receiver.
-  [[nodiscard]] virtual double missed(const Receiver&, std::uint64_t /*key*/, std::uint32_t /*sample*/) const {
-    return 0;
+  [[nodiscard]] virtual Response missed(const Receiver&, std::uint64_t /*key*/, std::uint32_t /*sample*/) const {
+    return {};
   }
 
   /// The same for radiance(), cd/m2.

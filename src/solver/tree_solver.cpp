@@ -50,14 +50,15 @@ class TreeSolver final : public Solver {
     std::uint64_t rays = 0;
     for (std::uint32_t i = 0; i < world_.emitters.size(); ++i) {
       const scene::LightSource& source = world_.emitters[i];
-      if (source.emitter->importance(receiver.point, receiver.normal) == 0) continue;
+      if (!receiver.directLight) break;
+      if (receiver.isPlane() && source.emitter->importance(receiver.point, receiver.normal) == 0) continue;
       double sum = 0;
       for (std::uint32_t s = 0; s < samples; ++s) {
         core::Sampler random(core::combine(core::combine(key, lightStream), i), s);
         const emitter::IncidentLight light = source.emitter->sample(receiver.point, random.next2());
-        const double cosine = glm::dot(light.direction, receiver.normal);
-        if (light.normalIlluminance <= 0 || cosine <= 0) continue;
-        sum += light.normalIlluminance * cosine *
+        const double answer = light.normalIlluminance > 0 ? receiver.response(light.direction) : 0;
+        if (answer <= 0) continue;
+        sum += light.normalIlluminance * answer *
                builder_.seen(start, receiver.point + light.direction * light.distance, rays);
       }
       for (std::size_t c = 0; c < result.size(); ++c)

@@ -43,7 +43,14 @@ Results sample() {
   grid.ud = {0.6, 0.01, {}};
   grid.initialMean = core::Estimate{500.05, 2, {}};
   results.grids.push_back(grid);
-  results.observers.push_back({"seat 1", "ugr", {18.5, 0.2, {}}});
+  ObserverResult seat;
+  seat.name = "seat 1";
+  seat.value = {18.5, 0.2, {}};
+  seat.eye = {1, 2, 1.2};
+  seat.direction = {0, 1, 0};
+  seat.background = {25, 0.5, {}};
+  seat.sources = {{"panel[0,0]", 3000, 0.02, 1.5, 0.75}, {"panel[1,0]", 2900, 0.01, 2, 0.25}};
+  results.observers.push_back(seat);
   results.requirements.push_back({"mean of \"work plane\" at least 500 lx", RequirementResult::Verdict::fail});
   return results;
 }
