@@ -102,7 +102,8 @@ class GridStage {
   void fill(project::GridResult& result, const analysis::GridEstimate& e, const std::vector<std::size_t>& index) const {
     const std::size_t n = result.points.size();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double spectral = engine_.plan.spectralBound;
+    const bool melanopic = analysis::findQuantity(result.quantity)->channel != 1;
+    const double spectral = melanopic ? engine_.plan.melanopicBound : engine_.plan.spectralBound;
     result.values.assign(n, nan);
     result.halfWidths.assign(n, nan);
     const bool solved = !engine_.solver->isUnbiased();
@@ -214,8 +215,12 @@ std::string resultsText(const project::Results& results) {
     line("Ud", grid.ud, "");
   }
   for (const project::ObserverResult& observer : results.observers) {
-    text += fmt::format("  {} ({}) {:>10.1f} ± {:.2g}, background {:.3g} cd/m2\n", observer.name, "UGR",
-                        observer.value.value, observer.value.halfWidth(), observer.background.value);
+    if (observer.sources.empty() && std::isfinite(observer.value.value)) {
+      text += fmt::format("  {} (UGR): no luminaire in the field of view\n", observer.name);
+      continue;
+    }
+    text += fmt::format("  {} (UGR) {:>10.1f} ± {:.2g}, background {:.3g} cd/m2\n", observer.name, observer.value.value,
+                        observer.value.halfWidth(), observer.background.value);
     constexpr std::size_t shown = 3;
     for (std::size_t i = 0; i < std::min(shown, observer.sources.size()); ++i) {
       const project::GlareSourceResult& source = observer.sources[i];

@@ -64,10 +64,13 @@ bool disperses(const scene::World& world) {
   });
 }
 
-SpectralAllowance allowanceFor(const project::Settings& settings, const scene::World& world, bool forColour) {
+SpectralAllowance allowanceFor(const project::Project& project, const scene::World& world, bool forColour) {
+  const auto& settings = project.settings;
   SpectralAllowance allowance;
   if (disperses(world)) allowance.leastCount = nodesForDispersion;
   allowance.illuminance = spectralShare * settings.accuracy.grid;
+  allowance.melanopic = std::any_of(project.grids.begin(), project.grids.end(),
+                                    [](const analysis::Grid& grid) { return grid.quantity == "melanopic-edi"; });
   allowance.pictures = forColour;
   allowance.luminance = spectralShare * settings.accuracy.image;
   allowance.colour = settings.accuracy.colourDe;
@@ -95,7 +98,7 @@ const spectrum::SpectralScheme& askedScheme(const project::Project& project) {
 void chooseSpectral(const project::Project& project, const scene::World& world, bool forColour, Plan& plan) {
   const auto& settings = project.settings;
   const std::vector<Finish> finishes = finishesOf(world);
-  const SpectralAllowance allowance = allowanceFor(settings, world, forColour);
+  const SpectralAllowance allowance = allowanceFor(project, world, forColour);
   SpectralChoice choice;
   if (settings.spectralScheme == "auto") {
     choice = chooseWavelengths(finishes, world.sourceSpectra, allowance);
@@ -109,6 +112,7 @@ void chooseSpectral(const project::Project& project, const scene::World& world, 
   }
   plan.quadrature = std::move(choice.quadrature);
   plan.spectralBound = choice.error.illuminance;
+  plan.melanopicBound = choice.error.melanopic;
   plan.colourBound = choice.error.colour;
   const std::size_t nodes = plan.quadrature.wavelengths.size();
   if (settings.spectralScheme == "auto" && nodes == 1 && choice.error.luminance == 0) {

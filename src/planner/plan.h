@@ -25,6 +25,7 @@ struct Plan {
   double accuracy = 0.01;     ///< relative, the finest that is asked of what will be calculated
   solver::TreeSettings tree;  ///< for the solver `tree`
   double spectralBound = 0;   ///< largest relative error of an illuminance over the likely light paths
+  double melanopicBound = 0;  ///< the same of a melanopic quantity
   double colourBound = 0;     ///< largest CIEDE2000 over them
   std::vector<Omission> leftOut;
   std::vector<std::string> reasons;

@@ -23,6 +23,7 @@ constexpr double unseen = 0.05;
 
 bool meets(const SpectralError& error, const SpectralAllowance& allowance) {
   return error.illuminance <= allowance.illuminance &&
+         (!allowance.melanopic || error.melanopic <= allowance.illuminance) &&
          (!allowance.pictures || (error.luminance <= allowance.luminance && error.colour <= allowance.colour));
 }
 
@@ -38,7 +39,8 @@ std::vector<LightPath> fittedPaths(const SpectralErrors& errors, const SpectralA
     const bool byGrid = paths.seen(j) == LightPaths::Seen::byGrid;
     if (!byGrid && !allowance.pictures) continue;
     const double Y = byGrid ? allowance.illuminance : std::min(allowance.luminance, relativePerUnit * allowance.colour);
-    result.push_back({errors.transmittances()[j], {X, Y, Z, unseen}});
+    const double melanopic = byGrid && allowance.melanopic ? allowance.illuminance : unseen;
+    result.push_back({errors.transmittances()[j], {X, Y, Z, melanopic}});
   }
   return result;
 }

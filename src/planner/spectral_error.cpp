@@ -54,6 +54,8 @@ SpectralError SpectralErrors::of(const spectrum::SpectralQuadrature& quadrature)
       const double error = std::abs(found[1] - exact[1]) / std::max(exact[1], spectrum::darkestShare * light[1]);
       if (paths_.seen(j) == LightPaths::Seen::byGrid) {
         worst.illuminance = std::max(worst.illuminance, error);
+        worst.melanopic = std::max(
+            worst.melanopic, std::abs(found[3] - exact[3]) / std::max(exact[3], spectrum::darkestShare * light[3]));
         continue;
       }
       worst.luminance = std::max(worst.luminance, error);
@@ -62,6 +64,7 @@ SpectralError SpectralErrors::of(const spectrum::SpectralQuadrature& quadrature)
     }
   }
   worst.illuminance = std::max(unseenMargin * worst.illuminance, leastRelative);
+  worst.melanopic = std::max(unseenMargin * worst.melanopic, leastRelative);
   worst.luminance = std::max(unseenMargin * worst.luminance, leastRelative);
   worst.colour = std::max(unseenMargin * worst.colour, leastColour);
   return worst;

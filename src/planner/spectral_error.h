@@ -12,7 +12,8 @@ namespace goniolux::planner {
 /// path's own light, but no less than `darkestShare`.
 struct SpectralError {
   double illuminance = 0;  ///< largest relative error of Y over the paths that a grid sees
-  double luminance = 0;    ///< the same over the paths that an eye sees
+  double melanopic = 0;    ///< the same of the melanopic response
+  double luminance = 0;    ///< of Y over the paths that an eye sees
   double colour = 0;       ///< largest CIEDE2000 over the paths that an eye sees; white is the unreflected light
 };
 

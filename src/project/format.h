@@ -61,10 +61,8 @@ struct Key {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool minimumIsAllowed = true;           ///< false: the value must be above the minimum
-  std::vector<std::string> choices = {};  ///< Form::choice: what this version does
-  std::vector<std::string> planned = {};  ///< Form::choice: what the format knows but this version refuses, saying so
+  std::vector<std::string> choices = {};  ///< Form::choice
   const Section* section = nullptr;       ///< Form::section, Form::sections
-  bool isPlanned = false;                 ///< the key as a whole is refused with "not supported yet"
   std::string unit = {};                  ///< of a number that has one whatever the project's units: "lm"
 };
 
@@ -105,7 +103,6 @@ const Section& goniometricSection();
 struct OpeningForm {
   std::string name;
   Section section;
-  bool isPlanned = false;
 };
 const std::vector<OpeningForm>& openingForms();
 
@@ -113,7 +110,6 @@ const std::vector<OpeningForm>& openingForms();
 struct MaterialForm {
   std::string model;
   Section section;
-  bool isPlanned = false;
 };
 const std::vector<MaterialForm>& materialForms();
 

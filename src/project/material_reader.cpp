@@ -100,14 +100,6 @@ void readMaterial(material::Material& material, const core::Value& value, Readin
     }
   }
   material.emission = readEmission(section, reading);
-  if (form->isPlanned) {
-    std::vector<std::string> known;
-    for (const auto& model : reflection::reflectionModels()) known.push_back(model.name);
-    reading.notSupported(
-        value.find("model")->position(),
-        fmt::format("the reflection model \"{}\"; this version knows {}", form->model, fmt::join(known, ", ")));
-    return;
-  }
   const reflection::ReflectionModel* model = reflection::findReflectionModel(form->model);
   if (section.failed() || model == nullptr || model->complaint == nullptr) return;
   if (const std::string complaint = model->complaint(material); !complaint.empty())

@@ -60,10 +60,6 @@ std::optional<emitter::Opening> readStated(const core::Value& shape, Reading& re
     return std::nullopt;
   }
   SectionReader section(value, form->section, reading);
-  if (form->isPlanned) {
-    reading.notSupported(value.keyPosition(), fmt::format("a luminaire's shape \"{}\"", name));
-    return std::nullopt;
-  }
   if (section.failed()) return std::nullopt;
   emitter::Opening opening;
   opening.shape = shapeNamed(name);

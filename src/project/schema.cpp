@@ -63,11 +63,8 @@ Value valueSchema(const Key& key) {
     case Form::text:
     case Form::file:
       return type("string");
-    case Form::choice: {
-      std::vector<std::string> all = key.choices;
-      all.insert(all.end(), key.planned.begin(), key.planned.end());
-      return texts(all);
-    }
+    case Form::choice:
+      return texts(key.choices);
     case Form::point:
     case Form::direction:
       return reference("vector");

@@ -31,9 +31,6 @@ void SectionReader::checkKeys() {
           member.keyPosition(), "unknown-key",
           fmt::format("{} has no key \"{}\"{}", section_.title, name, core::suggestion(name, section_.names())));
       failed_ = true;
-    } else if (key->isPlanned) {
-      reading_.notSupported(member.keyPosition(), fmt::format("\"{}\" in {}", name, section_.title));
-      failed_ = true;
     }
   }
   for (const Key& key : section_.keys) {
@@ -102,19 +99,9 @@ std::optional<std::string> SectionReader::choice(const std::string& key) {
   const auto chosen = text(key);
   if (!chosen) return std::nullopt;
   const Key& description = known(key);
-  const auto isIn = [&](const std::vector<std::string>& list) {
-    return std::find(list.begin(), list.end(), *chosen) != list.end();
-  };
-  if (isIn(description.choices)) return chosen;
+  const std::vector<std::string>& all = description.choices;
+  if (std::find(all.begin(), all.end(), *chosen) != all.end()) return chosen;
   failed_ = true;
-  if (isIn(description.planned)) {
-    const std::string instead =
-        description.choices.empty() ? "" : fmt::format("; this version knows {}", fmt::join(description.choices, ", "));
-    reading_.notSupported(find(key)->position(), fmt::format("\"{}\": \"{}\"{}", key, *chosen, instead));
-    return std::nullopt;
-  }
-  std::vector<std::string> all = description.choices;
-  all.insert(all.end(), description.planned.begin(), description.planned.end());
   refuse(key, "unknown-value", fmt::format("\"{}\" cannot be \"{}\"{}", key, *chosen, core::suggestion(*chosen, all)));
   return std::nullopt;
 }

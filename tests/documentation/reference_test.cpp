@@ -111,12 +111,6 @@ std::string keyTable(const std::vector<Key>& keys) {
   for (const Key& key : keys) {
     std::string help = key.help;
     if (key.required) help += " (required)";
-    const bool isWhollyPlanned =
-        key.isPlanned || (key.form == Form::choice && key.choices.empty() && !key.planned.empty());
-    if (isWhollyPlanned)
-      help += " (*not yet*)";
-    else if (!key.planned.empty())
-      help += fmt::format(" (*not yet*: {})", quoted(key.planned));
     out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, describe(key), range(key), help);
   }
   return out + "\n";
@@ -145,25 +139,14 @@ std::vector<Key> without(const std::vector<Key>& keys, const std::vector<Key>& s
   return own;
 }
 
-std::string notYet(const std::vector<std::string>& planned) {
-  return planned.empty() ? "" : fmt::format("*Not yet*: {}.\n\n", quoted(planned));
-}
-
 std::string materialsText() {
   std::vector<Section> sections;
-  std::vector<std::string> planned;
-  for (const project::MaterialForm& form : project::materialForms()) {
-    if (form.isPlanned)
-      planned.push_back(form.model);
-    else
-      sections.push_back(form.section);
-  }
+  for (const project::MaterialForm& form : project::materialForms()) sections.push_back(form.section);
   const std::vector<Key> shared = sharedKeys(sections);
   std::string out = "### A material\n\n" + keyTable(shared);
   for (const project::MaterialForm& form : project::materialForms())
-    if (!form.isPlanned)
-      out += fmt::format("`\"{}\"` also has\n\n{}", form.model, keyTable(without(form.section.keys, shared)));
-  return out + notYet(planned);
+    out += fmt::format("`\"{}\"` also has\n\n{}", form.model, keyTable(without(form.section.keys, shared)));
+  return out;
 }
 
 std::string objectsText() {
@@ -197,7 +180,7 @@ std::string openingsText() {
     std::vector<std::string> keys;
     for (const Key& key : form.section.keys)
       keys.push_back(fmt::format("`{}` ({}{})", key.name, key.help, key.required ? "" : ", optional"));
-    out += fmt::format("| `\"{}\"`{} | {} |\n", form.name, form.isPlanned ? " (*not yet*)" : "", fmt::join(keys, ", "));
+    out += fmt::format("| `\"{}\"` | {} |\n", form.name, fmt::join(keys, ", "));
   }
   return out + "\n";
 }

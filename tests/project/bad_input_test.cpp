@@ -191,12 +191,17 @@ TEST_F(BadInput, WrongTypesSayWhatIsExpected) {
   expectError(with("\"settings\": [1]"), "[1]", "an object");
 }
 
-TEST_F(BadInput, WhatTheFormatKnowsButThisVersionDoesNotIsSaidSo) {
-  expectError(changed("[3,2] } ]", "[3,2], \"quantity\": \"cylindrical\" } ]"), "\"cylindrical\"",
-              "not supported yet: \"quantity\": \"cylindrical\"");
+TEST_F(BadInput, AReceiverThatDoesNotKnowWhereItFacesIsRefused) {
+  const auto grid = [&](const std::string& keys) { return changed("[3,2] } ]", "[3,2], " + keys + " } ]"); };
+  expectError(grid("\"quantity\": \"cylindric\""), "\"cylindric\"", "did you mean \"cylindrical\"?");
+  expectError(grid("\"quantity\": \"semi-cylindrical\""), "\"semi-cylindrical\"", "give a \"normal\"");
+  expectError(grid("\"axis\": [1,0,0]"), "[1,0,0]", "means nothing for the quantity \"illuminance\"");
   expectError(
-      with("\"observers\": [ { \"name\": \"o\", \"eye\": [1,1,1], \"direction\": [1,0,0], \"quantity\": \"ugr\" } ]"),
-      "\"ugr\"", "not supported yet");
+      with("\"observers\": [ { \"name\": \"o\", \"eye\": [1,1,1], \"direction\": [1,0,0], \"quantity\": \"ugg\" } ]"),
+      "\"ugg\"", "did you mean \"ugr\"?");
+}
+
+TEST_F(BadInput, ALuminaireOfRevolutionMustBeClosed) {
   expectError(changed("\"flux\": 1000",
                       "\"flux\": 1000, \"shape\": { \"revolution\": { \"profile\": [[1,0],[0.2,0.5],[1,1]] } }"),
               "[[1,0]", "the profile must begin and end on the axis");

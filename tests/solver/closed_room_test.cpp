@@ -74,7 +74,7 @@ core::ReplicateMean meanIlluminance(const scene::Environment& environment, std::
       const auto plan = solver->plan(receiver, core::combine(r * 1000003 + i, 1));
       sum += solver->illuminance(receiver, *plan, core::combine(r * 1000003 + i, 2), 4)[1];
       for (std::uint32_t path = 0; path < 8; ++path)
-        sum += solver->missed(receiver, core::combine(r, 3), 8 * i + path) / 8;
+        sum += solver->missed(receiver, core::combine(r, 3), 8 * i + path)[1] / 8;
     }
     replicates.push_back(sum / pointsPerReplicate);
   }

@@ -21,7 +21,7 @@ namespace {
 
 /// Lists of entries and the like have panels of their own.
 bool isShown(const project::Key& key) {
-  return !key.isPlanned && key.form != Form::sections && key.form != Form::objects && key.form != Form::materials;
+  return key.form != Form::sections && key.form != Form::objects && key.form != Form::materials;
 }
 
 QStringList filesIn(const char* folder, const QStringList& patterns) {
