@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -48,17 +47,12 @@ std::map<std::uint32_t, SeenGlare> glareOf(const std::vector<solver::SeenLight>&
   return result;
 }
 
-/// Wall clock, s.
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 GlareEstimate estimateGlare(const solver::Solver& solver, const solver::SeenLights& lights, const Vec3& eye,
                             const Vec3& direction, std::uint64_t key, double accuracy, double confidence,
                             double secondsLeft, const core::ProgressSink& progress) {
-  const double start = now();
+  const double start = core::wallSeconds();
   const double quantile = core::studentQuantile(replicateCount - 1, confidence);
   const Vec3 up = upOf(direction);
   solver::Receiver background{eye, direction};
@@ -122,7 +116,7 @@ GlareEstimate estimateGlare(const solver::Solver& solver, const solver::SeenLigh
     const double relative = std::hypot(sum.standardError / sum.mean, luminance.standardError / luminance.mean);
     estimate.ugr = {ugr(sum.mean, luminance.mean), quantile * 8 / std::log(10.0) * relative, {}};
     estimate.reached = estimate.ugr.statistical <= accuracy;
-    const double taken = now() - start;
+    const double taken = core::wallSeconds() - start;
     if (estimate.reached || paths >= mostPaths) return estimate;
     const double ratio = 1.15 * estimate.ugr.statistical / accuracy;
     double growth = std::clamp(ratio * ratio, leastGrowth, largestGrowth);

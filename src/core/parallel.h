@@ -19,5 +19,7 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
 
 /// CPU seconds of the whole process so far, all threads.
 double processCpuSeconds();
+/// A clock that never goes back, s; its zero means nothing.
+double wallSeconds();
 
 }  // namespace goniolux::core

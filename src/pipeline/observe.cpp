@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "analysis/glare.h"
+#include "core/parallel.h"
 #include "core/random.h"
 #include "geometry/inside.h"
 #include "pipeline/solids.h"
@@ -60,10 +60,9 @@ project::ObserverResult resultOf(const analysis::Observer& observer, const analy
 
 void rateObservers(const project::Project& project, const Engine& engine, double secondsLeft,
                    core::ProgressSink& progress, project::Results& results) {
-  using Clock = std::chrono::steady_clock;
   if (project.observers.empty()) return;
-  const auto start = Clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const double start = core::wallSeconds();
+  const auto elapsed = [&] { return core::wallSeconds() - start; };
   const std::vector<geometry::InsideTest> solids = solidsOf(project);
   const solver::SeenLights lights(engine.problem());
   const auto& asked = project.settings.accuracy;

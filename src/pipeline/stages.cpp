@@ -27,6 +27,7 @@ const std::vector<Stage>& stages() {
       compareStage(),
 
       // many projects
+      studyStage(),
       verifyStage(),
 
       // files on their own

@@ -20,6 +20,7 @@ Stage probeStage();
 Stage compareStage();
 Stage plotStage();
 Stage reportStage();
+Stage studyStage();
 Stage verifyStage();
 Stage luminaireStage();
 Stage spectrumStage();

@@ -12,10 +12,10 @@ namespace goniolux::planner {
 /// What the choice of wavelengths may spoil; the members mean what those of SpectralError mean.
 struct SpectralAllowance {
   double illuminance = 0.002;
-  bool melanopic = false;  ///< as good an illuminance by the melanopic response is wanted, too
-  bool pictures = false;   ///< luminance and colour count
+  bool pictures = false;  ///< luminance and colour count
   double luminance = 0.005, colour = 1;
-  int leastCount = 1;  ///< nodes that are wanted in any case: where glass disperses each node goes its own way
+  int leastCount = 1;      ///< nodes that are wanted in any case: where glass disperses each node goes its own way
+  bool melanopic = false;  ///< as good an illuminance by the melanopic response is wanted, too
 };
 
 struct SpectralChoice {

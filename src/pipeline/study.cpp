@@ -1,0 +1,241 @@
+// The stage `study`: the ladder of settings, the reference, what is kept for the next time, and the chart.
+#include "pipeline/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "pipeline/engine.h"
+#include "pipeline/illuminate.h"
+#include "pipeline/plot.h"
+#include "pipeline/stages.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double defaultTime_s = 120;
+constexpr double ladder[] = {0.1, 0.05, 0.02, 0.01, 0.005};
+constexpr double referenceShare = 0.4;           // of the time
+constexpr double referenceAccuracy = 0.0015;     // finer than any rung, if time allows
+constexpr double coarsestReference = 0.02;       // a coarser one says nothing
+constexpr double costOfFiner = 4;                // of half the half-width
+constexpr const char* runsFile = "study.jsonl";  // one line per run that is done
+
+/// Everything that a kept result depends on.
+std::string keyOf(const project::Project& project) {
+  return project.hash + " " + programVersion();
+}
+
+StudyReference makeReference(const project::Project& project, const std::string& file, double seconds,
+                             core::ProgressSink& progress) {
+  StudyReference reference;
+  bool known = false;
+  if (fs::exists(file)) {
+    try {
+      reference.results = project::readResults(file);
+      known = reference.results.projectHash == project.hash && reference.results.programVersion == programVersion() &&
+              reference.results.grids.size() == project.grids.size();
+    } catch (const core::InputError&) {
+      known = false;  // damaged: made again
+    }
+  }
+  if (!known) {
+    project::Project own = project;
+    own.settings.solver = "path";
+    own.settings.seed = core::mix(project.settings.seed ^ 0x5eedull);
+    own.settings.timeLimit_s = seconds;
+    own.settings.accuracy.grid = referenceAccuracy;
+    own.observers.clear();
+    own.requirements.clear();
+    const Engine engine(own, false);
+    reference.results = calculateGrids(own, engine, progress);
+    if (!progress.cancelled()) core::writeFile(file, core::toJson(project::toJson(reference.results)));
+  }
+  double squares = 0, count = 0;
+  for (const project::GridResult& grid : reference.results.grids)
+    for (std::size_t i = 0; i < grid.values.size(); ++i) {
+      if (!std::isfinite(grid.values[i]) || !(grid.values[i] > 0)) continue;
+      const double relative =
+          grid.halfWidths[i] / std::max(grid.values[i], 0.1 * grid.mean.value) / 2.13;  // t, 15 d.o.f.
+      squares += relative * relative;
+      ++count;
+    }
+  reference.noise = count > 0 ? std::sqrt(squares / count) : 0;
+  return reference;
+}
+
+std::vector<StudySetting> settingsOf(const project::Project& project, const planner::Plan& plan) {
+  std::vector<StudySetting> settings;
+  // The cheapest method of each rung first: what time is left over goes to the finest rungs.
+  for (const double accuracy : ladder)
+    for (const solver::SolverType& type : solver::solverTypes()) {
+      const bool only = type.name == "tree" && accuracy != ladder[1];
+      if (!only) settings.push_back({type.name, type.name, accuracy, "auto"});
+    }
+  if (plan.quadrature.wavelengths.size() > 1)
+    for (const char* scheme : {"xyz:3", "uniform:3", "uniform:9", "uniform:31"})
+      settings.push_back({"wavelengths", plan.solver, 0.01, scheme});
+  const double asked = project.settings.accuracy.grid;
+  if (std::find(std::begin(ladder), std::end(ladder), asked) == std::end(ladder))
+    settings.push_back({plan.solver, plan.solver, asked, "auto"});
+  return settings;
+}
+
+bool same(const StudySetting& a, const StudySetting& b) {
+  return a.line == b.line && a.solver == b.solver && a.accuracy == b.accuracy && a.spectral == b.spectral;
+}
+
+/// Runs that are kept from a study of the same project by the same program.
+std::vector<StudyRun> keptRuns(const std::string& file, const std::string& key) {
+  std::vector<StudyRun> runs;
+  if (!fs::exists(file)) return runs;
+  const std::string text = core::readFile(file);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    core::Diagnostics ignored;
+    const core::Value line = core::parseJson(text.substr(begin, end - begin), file, ignored);
+    begin = end + 1;
+    const core::Value* of = line.isObject() ? line.find("of") : nullptr;
+    if (ignored.hasErrors() || of == nullptr || !of->isString() || of->string() != key) continue;
+    if (const auto run = studyRunFromJson(line)) runs.push_back(*run);
+  }
+  return runs;
+}
+
+std::string tableOf(const std::vector<StudyRun>& runs) {
+  std::string text = fmt::format("  {:<12}{:>8}{:>12}{:>9}{:>9}{:>10}{:>9}{:>9}\n", "method", "asked", "wavelengths",
+                                 "CPU s", "RMS %", "largest %", "mean %", "inside");
+  for (const StudyRun& run : runs)
+    text += fmt::format("{} {:<12}{:>6g} %{:>12}{:>9.3g}{:>9.3g}{:>10.3g}{:>9.2g}{:>7.1f} %\n", run.isAuto ? "*" : " ",
+                        run.setting.line, 100 * run.setting.accuracy, run.setting.spectral, run.cpu_s, 100 * run.rms,
+                        100 * run.largest, 100 * run.mean, 100 * run.inside);
+  return text;
+}
+
+void draw(const std::string& folder, const plot::LineChart& chart, StageReport& report) {
+  const std::string figure = (fs::path(folder) / "work-precision.figure.json").string();
+  core::writeFile(figure, core::toJson(plot::toJson(chart)));
+  const std::string png = (fs::path(folder) / "work-precision.png").string(),
+                    svg = (fs::path(folder) / "work-precision.svg").string();
+  if (const std::string trouble = drawFigure(figure, {png, svg}); !trouble.empty()) {
+    report.warnings.warning({}, "cannot-draw",
+                            fmt::format("drawing is not possible here: {}; the numbers are in {}", trouble, figure));
+    return;
+  }
+  report.files.insert(report.files.end(), {png, svg});
+}
+
+StageReport study(const StageRequest& request, core::ProgressSink& progress) {
+  const project::Project project = readProjectFor(request, AccuracyOf::grids);
+  if (project.grids.empty())
+    throw core::InputError({project.file, 0, 0}, "nothing-to-study",
+                           "the project has no grid: a study compares the points of grids; add one");
+  const double time = project.settings.timeLimit_s.value_or(defaultTime_s), start = core::wallSeconds();
+  const auto elapsed = [&] { return core::wallSeconds() - start; };
+  const std::string folder = request.common.output.value_or((fs::path(project.folder) / "study").string());
+  fs::create_directories(folder);
+  const std::string kept = (fs::path(folder) / runsFile).string(), key = keyOf(project);
+
+  StageReport report;
+  report.warnings = project.warnings;
+  progress.progress("reference", 0, "a long unbiased run");
+  const StudyReference reference =
+      makeReference(project, (fs::path(folder) / "reference.json").string(), referenceShare * time, progress);
+  if (progress.cancelled()) {
+    report.unfinished = true;
+    report.text = "stopped before the reference was done; nothing was kept\n";
+    return report;
+  }
+  if (!(reference.noise < coarsestReference))
+    report.warnings.warning({project.file, 0, 0}, "coarse-reference",
+                            fmt::format("in the time given the reference is known to {:.2g} % only; give more by "
+                                        "--time-limit",
+                                        100 * reference.noise));
+
+  const planner::Plan plan = Engine(project, false).plan;
+  const std::vector<StudySetting> settings = settingsOf(project, plan);
+  std::vector<StudyRun> runs, known = keptRuns(kept, key);
+  std::string lines = fs::exists(kept) ? core::readFile(kept) : "";
+  std::map<std::string, StudyRun> last;  // of each line
+  int left = 0;
+  for (std::size_t i = 0; i < settings.size() && !progress.cancelled(); ++i) {
+    const StudySetting& setting = settings[i];
+    progress.progress("runs", static_cast<double>(i) / static_cast<double>(settings.size()),
+                      fmt::format("{} at {:g} %", setting.line, 100 * setting.accuracy));
+    const auto before =
+        std::find_if(known.begin(), known.end(), [&](const StudyRun& run) { return same(run.setting, setting); });
+    if (before != known.end()) {
+      runs.push_back(*before);
+      last[setting.line] = *before;
+      continue;
+    }
+    // A finer run of the same line costs as the square of the accuracy; one that would not fit is left out.
+    if (const auto coarser = last.find(setting.line); coarser != last.end()) {
+      const double finer = coarser->second.setting.accuracy / setting.accuracy;
+      if (coarser->second.wall_s * std::clamp(finer * finer, 1.0, 4 * costOfFiner) > time - elapsed()) {
+        ++left;
+        continue;
+      }
+    }
+    StudyRun run = runSetting(project, setting, reference, core::combine(project.settings.seed, i + 1), progress);
+    if (progress.cancelled()) break;
+    run.isAuto = setting.line != "wavelengths" && setting.solver == plan.solver &&
+                 setting.accuracy == project.settings.accuracy.grid;
+    runs.push_back(run);
+    last[setting.line] = run;
+    core::Value line = toJson(run);
+    line.set("of", key);
+    std::string text = core::toJson(line);
+    text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+    lines += text + "\n";
+    core::writeFile(kept, lines);
+  }
+
+  const std::string csv = (fs::path(folder) / "study.csv").string();
+  core::writeFile(csv, studyCsv(runs));
+  report.files.push_back(csv);
+  core::Value list = core::Value::Array{};
+  for (const StudyRun& run : runs) list.push(toJson(run));
+  report.json.set("project", project.name);
+  report.json.set("project_hash", project.hash);
+  report.json.set("reference_noise", reference.noise);
+  report.json.set("auto", plan.solver);
+  report.json.set("runs", std::move(list));
+  report.text = fmt::format("{}: reference by paths, its own noise {:.2g} %\n{}", project.name, 100 * reference.noise,
+                            tableOf(runs));
+  report.text += "  front (nothing is both faster and nearer):";
+  for (const StudyRun* run : paretoFront(runs))
+    report.text += fmt::format(" {} {:g} %,", run->setting.line, 100 * run->setting.accuracy);
+  report.text.back() = '\n';
+  if (left > 0)
+    report.text += fmt::format("  {} finer runs left out: they do not fit into {:g} s (--time-limit)\n", left, time);
+  if (!runs.empty()) draw(folder, workPrecisionChart(project.name, runs, reference), report);
+  report.unfinished = progress.cancelled();
+  if (report.unfinished) report.text += "  stopped; the same command goes on from here\n";
+  return report;
+}
+
+}  // namespace
+
+Stage studyStage() {
+  Stage stage;
+  stage.name = "study";
+  stage.title = "Chart speed against accuracy";
+  stage.help =
+      "Calculates the grids by every solver and at several accuracies (and with fewer wavelengths where there is "
+      "colour), and holds each run against a long unbiased reference that it makes first: study.csv and the "
+      "work-precision chart, the settings that `auto` chooses marked. Goes on where it was stopped; within "
+      "--time-limit, 120 s if not given. -o: folder, PROJECT/study if not given.";
+  stage.inputName = "PROJECT";
+  stage.run = study;
+  return stage;
+}
+
+}  // namespace goniolux::pipeline
