@@ -108,15 +108,17 @@ plot::LineChart workPrecisionChart(const std::string& project, const std::vector
   for (const StudyRun& run : runs) {
     auto line = std::find_if(chart.curves.begin(), chart.curves.end(),
                              [&](const plot::ChartCurve& curve) { return curve.name == run.setting.line; });
-    if (line == chart.curves.end()) line = chart.curves.insert(line, {run.setting.line, {}});
+    if (line == chart.curves.end()) line = chart.curves.insert(line, {run.setting.line, {}, true});
     line->points.emplace_back(run.cpu_s, 100 * run.rms);
   }
   for (plot::ChartCurve& curve : chart.curves)
     std::sort(curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   for (const StudyRun& run : runs)
-    if (run.isAuto)
+    if (run.isAuto) {
+      chart.notes.push_back({"auto", {run.cpu_s, 100 * run.rms}});
       chart.facts.push_back(fmt::format("auto chose {} at ± {:g} %: {:.2g} s, RMS {:.2g} %", run.setting.solver,
                                         100 * run.setting.accuracy, run.cpu_s, 100 * run.rms));
+    }
   for (const StudyRun& run : runs)
     if (run.inside < 0.5) {
       chart.facts.push_back(fmt::format("{}: biased, stays at {:.2g} %", run.setting.line, 100 * run.rms));

@@ -48,9 +48,19 @@ Value toJson(const LineChart& chart) {
     entry.set("name", curve.name);
     entry.set("x", Value::arrayOf(xs));
     entry.set("y", Value::arrayOf(ys));
+    entry.set("marked", curve.marked);
     curves.push_back(std::move(entry));
   }
   json.set("curves", std::move(curves));
+  Value::Array notes;
+  for (const ChartNote& note : chart.notes) {
+    Value entry;
+    entry.set("text", note.text);
+    entry.set("x", note.point.x);
+    entry.set("y", note.point.y);
+    notes.push_back(std::move(entry));
+  }
+  json.set("notes", std::move(notes));
   return json;
 }
 
@@ -66,8 +76,12 @@ LineChart lineChartFromJson(const Value& document) {
   const Value& curves = figureMember(document, "curves", Value::Kind::array);
   for (const Value& curve : curves.array()) {
     const std::vector<double> xs = figureNumbers(curve, "x"), ys = figureNumbers(curve, "y");
-    if (xs.size() != ys.size() || xs.size() < 2) badFigure(curve, "there must be one y per x, two at least");
-    ChartCurve read{figureText(curve, "name"), {}};
+    ChartCurve read;
+    read.name = figureText(curve, "name");
+    if (const Value* marked = curve.find("marked")) read.marked = marked->isBoolean() && marked->boolean();
+    const std::size_t least = read.marked ? 1 : 2;
+    if (xs.size() != ys.size() || xs.size() < least)
+      badFigure(curve, "there must be one y per x, two at least, or one where points are marked");
     for (std::size_t i = 0; i < xs.size(); ++i) {
       if ((chart.x.logarithmic && xs[i] <= 0) || (chart.y.logarithmic && ys[i] <= 0))
         badFigure(curve, "a logarithmic axis needs values above 0");
@@ -76,6 +90,13 @@ LineChart lineChartFromJson(const Value& document) {
     chart.curves.push_back(std::move(read));
   }
   if (chart.curves.empty() || chart.curves.size() > 6) badFigure(curves, "there must be one to six curves");
+  if (const Value* notes = document.find("notes")) {
+    if (!notes->isArray()) badFigure(*notes, "notes must be a list");
+    for (const Value& note : notes->array())
+      chart.notes.push_back({figureText(note, "text"),
+                             {figureMember(note, "x", Value::Kind::number).number(),
+                              figureMember(note, "y", Value::Kind::number).number()}});
+  }
   return chart;
 }
 

@@ -12,7 +12,14 @@ namespace goniolux::plot {
 
 struct ChartCurve {
   std::string name;
-  std::vector<core::Vec2> points;  ///< ascending in x
+  std::vector<core::Vec2> points{};  ///< ascending in x
+  bool marked = false;               ///< with a dot at every point: single measurements
+};
+
+/// A ring about a point, with words beside it.
+struct ChartNote {
+  std::string text;
+  core::Vec2 point{0};
 };
 
 struct ChartAxis {
@@ -25,7 +32,8 @@ struct LineChart {
   std::vector<std::string> facts;
   ChartAxis x, y;
   std::vector<ChartCurve> curves;  ///< one to six
-  std::vector<double> guides;      ///< values of y that are drawn as grey lines: limits
+  std::vector<ChartNote> notes{};
+  std::vector<double> guides{};  ///< values of y that are drawn as grey lines: limits
 };
 
 core::Value toJson(const LineChart& chart);

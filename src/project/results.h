@@ -67,10 +67,10 @@ struct RequirementResult {
   enum class Verdict { pass, fail, undecided };
   std::string text;
   Verdict verdict = Verdict::undecided;
-  std::string of, quantity;  ///< grid or observer, and the limit's key: "mean_lx", "u0", "ugr", …; "": not stated
-  std::optional<double> minimum, maximum;
-  std::optional<core::Estimate> found;
-  std::string clause;  ///< where the limit stands in a standard; "" = the project's own
+  std::string of{}, quantity{};  ///< grid or observer, and the limit's key: "mean_lx", "u0", "ugr", …; "": not stated
+  std::optional<double> minimum{}, maximum{};
+  std::optional<core::Estimate> found{};
+  std::string clause{};  ///< where the limit stands in a standard; "" = the project's own
 };
 
 struct Results {

@@ -193,12 +193,12 @@ TEST_F(BadInput, WrongTypesSayWhatIsExpected) {
 
 TEST_F(BadInput, AReceiverThatDoesNotKnowWhereItFacesIsRefused) {
   const auto grid = [&](const std::string& keys) { return changed("[3,2] } ]", "[3,2], " + keys + " } ]"); };
-  expectError(grid("\"quantity\": \"cylindric\""), "\"cylindric\"", "did you mean \"cylindrical\"?");
+  expectError(grid("\"quantity\": \"cylindric\""), "\"cylindric\"", "did you mean 'cylindrical'?");
   expectError(grid("\"quantity\": \"semi-cylindrical\""), "\"semi-cylindrical\"", "give a \"normal\"");
   expectError(grid("\"axis\": [1,0,0]"), "[1,0,0]", "means nothing for the quantity \"illuminance\"");
   expectError(
       with("\"observers\": [ { \"name\": \"o\", \"eye\": [1,1,1], \"direction\": [1,0,0], \"quantity\": \"ugg\" } ]"),
-      "\"ugg\"", "did you mean \"ugr\"?");
+      "\"ugg\"", "did you mean 'ugr'?");
 }
 
 TEST_F(BadInput, ALuminaireOfRevolutionMustBeClosed) {

@@ -28,6 +28,16 @@ std::vector<Polyline> dashed(const Polyline& line, double on, double off) {
   return withGaps(line, gaps);
 }
 
+Polyline ring(const Vec2& middle, double radius) {
+  Polyline corners;
+  constexpr int count = 24;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * core::pi * i / count;
+    corners.push_back(middle + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return corners;
+}
+
 }  // namespace
 
 double LineChartPainter::Range::fraction(double value) const {
@@ -46,6 +56,16 @@ LineChartPainter::LineChartPainter(const LineChart& chart) : chart_(chart) {
       low = glm::min(low, point);
       high = glm::max(high, point);
     }
+  const bool marked = std::any_of(chart.curves.begin(), chart.curves.end(), [](const auto& c) { return c.marked; });
+  if (marked) {  // room for the dots
+    constexpr double room = 1.25;
+    if (chart.x.logarithmic) low.x /= room, high.x *= room;
+    if (chart.y.logarithmic) {
+      low.y /= room, high.y *= room;
+      for (const double value : chart.guides)
+        if (value > 0) low.y = std::min(low.y, value / room);
+    }
+  }
   x_ = {low.x, high.x > low.x ? high.x : low.x + 1, chart.x.logarithmic};
   if (chart.y.logarithmic) {
     y_ = {low.y, high.y > low.y ? high.y : 10 * low.y, true};
@@ -94,10 +114,23 @@ void LineChartPainter::paint(Ink& ink) const {
     Polyline line;
     for (const Vec2& point : chart_.curves[k].points) line.push_back(at(point));
     for (const Polyline& part : dashed(line, dashes[k][0], dashes[k][1])) ink.line(part, colours[k], 2.4);
+    if (chart_.curves[k].marked)
+      for (const Vec2& point : line) ink.area(ring(point, 5), colours[k]);
     const Polyline sample{{x, 62}, {x + 44, 62}};
     for (const Polyline& part : dashed(sample, dashes[k][0], dashes[k][1])) ink.line(part, colours[k], 2.4);
     ink.text(chart_.curves[k].name, {x + 54, 62}, {16});
     x += 54 + textSize(chart_.curves[k].name, {16}).x + 34;
+  }
+  for (const ChartNote& note : chart_.notes) {
+    const Vec2 place = at(note.point);
+    Polyline circle = ring(place, 11);
+    circle.push_back(circle.front());
+    ink.line(circle, black, 2);
+    const TextStyle style{16, true};
+    const bool fits = place.x + 18 + textSize(note.text, style).x < width() - right;
+    TextStyle aligned = style;
+    if (!fits) aligned.align = Align::right;
+    ink.text(note.text, {place.x + (fits ? 18 : -18), place.y + 16}, aligned);
   }
   ink.text(chart_.footer, {edge, 24}, fitting(chart_.footer, {12, false, grey}, width() - 2 * edge));
 }
