@@ -35,6 +35,8 @@ struct Engine {
 
 /// What was left out, as sentences for the results.
 std::vector<std::string> leftOutSentences(const Engine& engine);
+/// The plan as `plan --json` gives it, without the forecast: what will be done, why, and what is left out.
+core::Value planDocument(const project::Project& project, const Engine& engine);
 /// The version of this program.
 std::string programVersion();
 

@@ -78,27 +78,11 @@ StageReport plan(const StageRequest& request, core::ProgressSink&) {
 
   StageReport report;
   report.warnings = project.warnings;
-  report.json = planner::toJson(engine.plan, project);
-  core::Value::Array leftOut, reasons;
+  report.json = planDocument(project, engine);
   report.text = fmt::format("{}\n  solver {}, {} spectral samples ({})\n", project.name, engine.plan.solver,
                             engine.plan.quadrature.wavelengths.size(), engine.plan.quadrature.scheme);
-  for (const std::string& reason : engine.plan.reasons) {
-    reasons.emplace_back(reason);
-    report.text += "  because: " + reason + "\n";
-  }
-  const auto leaveOut = [&](const std::string& what, core::Value bound, const std::string& unit) {
-    core::Value entry;
-    entry.set("what", what);
-    entry.set("bound", std::move(bound));
-    entry.set("unit", unit);
-    leftOut.push_back(std::move(entry));
-  };
-  for (const planner::Omission& omission : engine.plan.leftOut)
-    leaveOut(omission.what, omission.bound > 0 ? core::Value(omission.bound) : core::Value(), omission.unit);
-  for (const std::string& sentence : engine.solver->leftOut()) leaveOut(sentence, core::Value(), "not bounded");
+  for (const std::string& reason : engine.plan.reasons) report.text += "  because: " + reason + "\n";
   for (const std::string& sentence : leftOutSentences(engine)) report.text += "  left out: " + sentence + "\n";
-  report.json.set("left_out", std::move(leftOut));
-  report.json.set("reasons", std::move(reasons));
   report.json.set("predicted_time_s", f.grids_s + f.images_s);
   report.text += fmt::format(
       "  about {:.1f} s for the grids to {:g} %, {:.1f} s for the views to {:g} %, on {} threads\n", f.grids_s,
@@ -116,6 +100,24 @@ StageReport plan(const StageRequest& request, core::ProgressSink&) {
 }
 
 }  // namespace
+
+core::Value planDocument(const project::Project& project, const Engine& engine) {
+  core::Value json = planner::toJson(engine.plan, project);
+  core::Value::Array leftOut;
+  const auto leaveOut = [&](const std::string& what, core::Value bound, const std::string& unit) {
+    core::Value entry;
+    entry.set("what", what);
+    entry.set("bound", std::move(bound));
+    entry.set("unit", unit);
+    leftOut.push_back(std::move(entry));
+  };
+  for (const planner::Omission& omission : engine.plan.leftOut)
+    leaveOut(omission.what, omission.bound > 0 ? core::Value(omission.bound) : core::Value(), omission.unit);
+  for (const std::string& sentence : engine.solver->leftOut()) leaveOut(sentence, core::Value(), "not bounded");
+  json.set("left_out", std::move(leftOut));
+  json.set("reasons", core::Value::arrayOf(engine.plan.reasons));
+  return json;
+}
 
 Stage planStage() {
   Stage stage;

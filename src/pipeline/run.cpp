@@ -31,6 +31,9 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   const Engine engine(project, !project.views.empty());
   const project::Results results = calculateGrids(project, engine, progress);
   report.files = writeResults(project, results, folder);
+  const std::string planFile = (fs::path(folder) / "plan.json").string();
+  core::writeFile(planFile, core::toJson(planDocument(project, engine)));
+  report.files.push_back(planFile);
   report.json = project::toJson(results);
   report.text = resultsText(results);
   report.verdictFailed = anyFailed(results);

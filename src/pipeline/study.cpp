@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "pipeline/batch.h"
 #include "pipeline/engine.h"
 #include "pipeline/illuminate.h"
 #include "pipeline/plot.h"
@@ -25,7 +26,7 @@ constexpr double ladder[] = {0.1, 0.05, 0.02, 0.01, 0.005};
 constexpr double referenceShare = 0.4;           // of the time
 constexpr double referenceAccuracy = 0.0015;     // finer than any rung, if time allows
 constexpr double coarsestReference = 0.02;       // a coarser one says nothing
-constexpr double costOfFiner = 4;                // of half the half-width
+constexpr double mostGrowth = 16;                // of a run's time, from one rung to the next
 constexpr const char* runsFile = "study.jsonl";  // one line per run that is done
 
 /// Everything that a kept result depends on.
@@ -132,63 +133,65 @@ void draw(const std::string& folder, const plot::LineChart& chart, StageReport& 
   report.files.insert(report.files.end(), {png, svg});
 }
 
-StageReport study(const StageRequest& request, core::ProgressSink& progress) {
-  const project::Project project = readProjectFor(request, AccuracyOf::grids);
+/// One project's study, kept in `folder`.
+struct ProjectStudy {
+  std::string path, name;
+  std::vector<StudyRun> runs;
+  StudyReference reference;
+  std::size_t leftOut = 0;  ///< finer runs that do not fit into the time
+  std::string trouble;      ///< of a project of several that cannot be studied
+};
+
+ProjectStudy studyProject(const project::Project& project, const std::string& folder, double time,
+                          core::ProgressSink& progress, core::Diagnostics& warnings) {
+  ProjectStudy study;
+  study.path = project.folder;
+  study.name = project.name;
   if (project.grids.empty())
     throw core::InputError({project.file, 0, 0}, "nothing-to-study",
                            "the project has no grid: a study compares the points of grids; add one");
-  const double time = project.settings.timeLimit_s.value_or(defaultTime_s), start = core::wallSeconds();
+  const double start = core::wallSeconds();
   const auto elapsed = [&] { return core::wallSeconds() - start; };
-  const std::string folder = request.common.output.value_or((fs::path(project.folder) / "study").string());
   fs::create_directories(folder);
   const std::string kept = (fs::path(folder) / runsFile).string(), key = keyOf(project);
-
-  StageReport report;
-  report.warnings = project.warnings;
-  progress.progress("reference", 0, "a long unbiased run");
-  const StudyReference reference =
+  progress.progress(project.name, 0, "reference: a long unbiased run");
+  study.reference =
       makeReference(project, (fs::path(folder) / "reference.json").string(), referenceShare * time, progress);
-  if (progress.cancelled()) {
-    report.unfinished = true;
-    report.text = "stopped before the reference was done; nothing was kept\n";
-    return report;
-  }
-  if (!(reference.noise < coarsestReference))
-    report.warnings.warning({project.file, 0, 0}, "coarse-reference",
-                            fmt::format("in the time given the reference is known to {:.2g} % only; give more by "
-                                        "--time-limit",
-                                        100 * reference.noise));
+  if (progress.cancelled()) return study;
+  if (!(study.reference.noise < coarsestReference))
+    warnings.warning({project.file, 0, 0}, "coarse-reference",
+                     fmt::format("in the time given the reference is known to {:.2g} % only; give more by --time-limit",
+                                 100 * study.reference.noise));
 
   const planner::Plan plan = Engine(project, false).plan;
   const std::vector<StudySetting> settings = settingsOf(project, plan);
-  std::vector<StudyRun> runs, known = keptRuns(kept, key);
+  const std::vector<StudyRun> known = keptRuns(kept, key);
   std::string lines = fs::exists(kept) ? core::readFile(kept) : "";
   std::map<std::string, StudyRun> last;  // of each line
-  int left = 0;
   for (std::size_t i = 0; i < settings.size() && !progress.cancelled(); ++i) {
     const StudySetting& setting = settings[i];
-    progress.progress("runs", static_cast<double>(i) / static_cast<double>(settings.size()),
+    progress.progress(project.name, static_cast<double>(i + 1) / static_cast<double>(settings.size() + 1),
                       fmt::format("{} at {:g} %", setting.line, 100 * setting.accuracy));
     const auto before =
         std::find_if(known.begin(), known.end(), [&](const StudyRun& run) { return same(run.setting, setting); });
     if (before != known.end()) {
-      runs.push_back(*before);
+      study.runs.push_back(*before);
       last[setting.line] = *before;
       continue;
     }
     // A finer run of the same line costs as the square of the accuracy; one that would not fit is left out.
     if (const auto coarser = last.find(setting.line); coarser != last.end()) {
       const double finer = coarser->second.setting.accuracy / setting.accuracy;
-      if (coarser->second.wall_s * std::clamp(finer * finer, 1.0, 4 * costOfFiner) > time - elapsed()) {
-        ++left;
+      if (coarser->second.wall_s * std::clamp(finer * finer, 1.0, mostGrowth) > time - elapsed()) {
+        ++study.leftOut;
         continue;
       }
     }
-    StudyRun run = runSetting(project, setting, reference, core::combine(project.settings.seed, i + 1), progress);
+    StudyRun run = runSetting(project, setting, study.reference, core::combine(project.settings.seed, i + 1), progress);
     if (progress.cancelled()) break;
     run.isAuto = setting.line != "wavelengths" && setting.solver == plan.solver &&
                  setting.accuracy == project.settings.accuracy.grid;
-    runs.push_back(run);
+    study.runs.push_back(run);
     last[setting.line] = run;
     core::Value line = toJson(run);
     line.set("of", key);
@@ -197,26 +200,84 @@ StageReport study(const StageRequest& request, core::ProgressSink& progress) {
     lines += text + "\n";
     core::writeFile(kept, lines);
   }
+  return study;
+}
 
+void writeStudy(const ProjectStudy& study, const std::string& folder, StageReport& report) {
   const std::string csv = (fs::path(folder) / "study.csv").string();
-  core::writeFile(csv, studyCsv(runs));
+  core::writeFile(csv, studyCsv(study.runs));
   report.files.push_back(csv);
-  core::Value list = core::Value::Array{};
-  for (const StudyRun& run : runs) list.push(toJson(run));
-  report.json.set("project", project.name);
-  report.json.set("project_hash", project.hash);
-  report.json.set("reference_noise", reference.noise);
-  report.json.set("auto", plan.solver);
-  report.json.set("runs", std::move(list));
-  report.text = fmt::format("{}: reference by paths, its own noise {:.2g} %\n{}", project.name, 100 * reference.noise,
-                            tableOf(runs));
-  report.text += "  front (nothing is both faster and nearer):";
-  for (const StudyRun* run : paretoFront(runs))
-    report.text += fmt::format(" {} {:g} %,", run->setting.line, 100 * run->setting.accuracy);
-  report.text.back() = '\n';
-  if (left > 0)
-    report.text += fmt::format("  {} finer runs left out: they do not fit into {:g} s (--time-limit)\n", left, time);
-  if (!runs.empty()) draw(folder, workPrecisionChart(project.name, runs, reference), report);
+  if (!study.runs.empty()) draw(folder, workPrecisionChart(study.name, study.runs, study.reference), report);
+}
+
+std::string studyText(const ProjectStudy& study) {
+  std::string text = fmt::format("{}: reference by paths, its own noise {:.2g} %\n{}", study.name,
+                                 100 * study.reference.noise, tableOf(study.runs));
+  text += "  front (nothing is both faster and nearer):";
+  for (const StudyRun* run : paretoFront(study.runs))
+    text += fmt::format(" {} {:g} %,", run->setting.line, 100 * run->setting.accuracy);
+  text.back() = '\n';
+  if (study.leftOut > 0)
+    text += fmt::format("  {} finer runs left out: they do not fit into the time (--time-limit)\n", study.leftOut);
+  return text;
+}
+
+core::Value studyJson(const ProjectStudy& study) {
+  core::Value list = core::Value::Array{}, json;
+  for (const StudyRun& run : study.runs) list.push(toJson(run));
+  json.set("path", study.path);
+  json.set("project", study.name);
+  json.set("reference_noise", study.reference.noise);
+  json.set("runs", std::move(list));
+  if (!study.trouble.empty()) json.set("trouble", study.trouble);
+  return json;
+}
+
+StageReport study(const StageRequest& request, core::ProgressSink& progress) {
+  const double time = request.common.timeLimit_s.value_or(defaultTime_s);
+  StageReport report;
+  const std::vector<std::string> paths = findProjects(request.inputs);
+  const bool several = paths.size() > 1;
+  std::vector<ProjectStudy> studies;
+  core::Value all = core::Value::Array{};
+  for (const std::string& path : paths) {
+    if (progress.cancelled()) break;
+    StageRequest one = request;
+    one.inputs = {path};
+    const std::string name = project::fileNameFor(path);
+    try {
+      const project::Project project = readProjectFor(one, AccuracyOf::grids);
+      report.warnings.append(project.warnings);
+      const std::string folder = several
+                                     ? (fs::path(request.common.output.value_or("study")) / name).string()
+                                     : request.common.output.value_or((fs::path(project.folder) / "study").string());
+      studies.push_back(studyProject(project, folder, time, progress, report.warnings));
+      studies.back().path = path;
+      writeStudy(studies.back(), folder, report);
+      report.text += studyText(studies.back());
+    } catch (const core::InputError& error) {
+      if (!several) throw;
+      ProjectStudy broken;
+      broken.path = broken.name = path;
+      broken.trouble = error.what();
+      report.text += fmt::format("{}: {}\n", path, broken.trouble);
+      report.inputFailed = true;
+      studies.push_back(std::move(broken));
+    }
+    all.push(studyJson(studies.back()));
+  }
+  if (several) {
+    const std::string page = (fs::path(request.common.output.value_or("study")) / "README.md").string();
+    std::vector<StudyPageEntry> entries;
+    for (const ProjectStudy& each : studies)
+      entries.push_back({each.path, each.name, project::fileNameFor(each.path), each.trouble, &each.runs,
+                         each.reference.noise, each.leftOut});
+    core::writeFile(page, studyPage(entries, time));
+    report.files.push_back(page);
+    report.json.set("projects", std::move(all));
+  } else {
+    report.json = all.array().empty() ? core::Value() : all.array().front();
+  }
   report.unfinished = progress.cancelled();
   if (report.unfinished) report.text += "  stopped; the same command goes on from here\n";
   return report;
@@ -231,9 +292,11 @@ Stage studyStage() {
   stage.help =
       "Calculates the grids by every solver and at several accuracies (and with fewer wavelengths where there is "
       "colour), and holds each run against a long unbiased reference that it makes first: study.csv and the "
-      "work-precision chart, the settings that `auto` chooses marked. Goes on where it was stopped; within "
-      "--time-limit, 120 s if not given. -o: folder, PROJECT/study if not given.";
+      "work-precision chart, the settings that `auto` chooses marked. Goes on where it was stopped; --time-limit is "
+      "for each project, 120 s if not given. -o: folder, PROJECT/study if not given. With several projects, or folders "
+      "of projects, a page README.md shows them all.";
   stage.inputName = "PROJECT";
+  stage.manyInputs = true;
   stage.run = study;
   return stage;
 }

@@ -56,6 +56,17 @@ plot::LineChart workPrecisionChart(const std::string& project, const std::vector
 /// The runs that no other run beats in both time and error, by rising time.
 std::vector<const StudyRun*> paretoFront(const std::vector<StudyRun>& runs);
 
+/// One project's part of a page about several.
+struct StudyPageEntry {
+  std::string path, name, folder;  ///< folder: of its pictures, as seen from the page
+  std::string trouble;
+  const std::vector<StudyRun>* runs = nullptr;
+  double noise = 0;
+  std::size_t leftOut = 0;
+};
+/// The page, Markdown: what machine it was, a summary with times as ratios, a chart and a table for each project.
+std::string studyPage(const std::vector<StudyPageEntry>& entries, double time_s);
+
 std::string studyCsv(const std::vector<StudyRun>& runs);
 core::Value toJson(const StudyRun& run);
 /// Nothing where the line is not one of toJson()'s (a file that was cut off).

@@ -1,0 +1,144 @@
+// The study: errors against a reference, the front, what is kept, and a small project from end to end.
+#include "pipeline/study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "pipeline/stage.h"
+#include "support/temporary_folder.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+project::Results resultsOf(const std::vector<double>& values, double halfWidth) {
+  project::Results results;
+  project::GridResult grid;
+  grid.values = values;
+  grid.halfWidths.assign(values.size(), halfWidth);
+  double sum = 0;
+  for (const double value : values) sum += value / static_cast<double>(values.size());
+  grid.mean.value = sum;
+  results.grids = {grid};
+  return results;
+}
+
+StudyRun runOf(double cpu, double rms) {
+  StudyRun run;
+  run.setting = {"path", "path", 0.01, "auto"};
+  run.cpu_s = cpu;
+  run.rms = rms;
+  return run;
+}
+
+TEST(Study, MeasuresErrorsAsAccuracyIsAsked) {
+  const StudyReference reference{resultsOf({100, 200, 5, 95}, 1), 0.01};  // mean 100: 5 is judged by 10
+  StudyRun run;
+  compareWithReference(resultsOf({102, 196, 6, 95}, 2), reference, run);
+  EXPECT_NEAR(run.rms, std::sqrt((0.02 * 0.02 + 0.02 * 0.02 + 0.1 * 0.1) / 4), 1e-12);
+  EXPECT_NEAR(run.largest, 0.1, 1e-12);
+  EXPECT_NEAR(run.mean, (0.02 - 0.02 + 0.1) / 4, 1e-12);
+  EXPECT_DOUBLE_EQ(run.inside, 0.75);  // 196 is 4 off; its half-width and the reference's make 2.2
+  project::Results gap = resultsOf({102, 196, 6, 95}, 2);
+  gap.grids[0].values[1] = std::numeric_limits<double>::quiet_NaN();
+  compareWithReference(gap, reference, run);
+  EXPECT_NEAR(run.rms, std::sqrt((0.02 * 0.02 + 0.1 * 0.1) / 3), 1e-12);
+}
+
+TEST(Study, FrontHoldsWhatNothingBeatsInBoth) {
+  const std::vector<StudyRun> runs{runOf(1, 0.1), runOf(2, 0.05), runOf(3, 0.06), runOf(0.5, 0.2), runOf(0.6, 0.3)};
+  const auto front = paretoFront(runs);
+  ASSERT_EQ(front.size(), 3u);
+  EXPECT_EQ(front[0], &runs[3]);
+  EXPECT_EQ(front[1], &runs[0]);
+  EXPECT_EQ(front[2], &runs[1]);
+}
+
+TEST(Study, RunsSurviveTheirFile) {
+  StudyRun run = runOf(1.25, 0.0123);
+  run.isAuto = run.reached = true;
+  run.rays = 123456789;
+  run.inside = 0.95;
+  const auto again = studyRunFromJson(toJson(run));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(core::toJson(toJson(*again)), core::toJson(toJson(run)));
+  core::Value cut;
+  cut.set("line", "path");
+  EXPECT_FALSE(studyRunFromJson(cut));
+}
+
+class StudyStage : public ::testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& extra) {
+    std::filesystem::create_directories(folder_.path() / name);
+    std::ofstream(folder_.path() / name / "project.json") << R"({ "format": "goniolux-project", "version": 1,
+      "name": ")" << name << R"(",
+      "materials": { "grey": { "model": "lambert", "diffuse": 0.5 } },
+      "objects": [ { "name": "room", "shape": "box", "min": [0,0,0], "max": [4,3,2.5], "facing": "inward",
+                     "material": "grey" } ],
+      "luminaires": [ { "name": "L", "photometry": "isotropic", "flux": 3000, "position": [2,1.5,2] } ])"
+                                                          << extra << " }";
+  }
+  static StageReport study(const std::vector<std::string>& inputs, const std::string& output) {
+    for (const Stage& stage : stages()) {
+      if (stage.name != "study") continue;
+      StageRequest request;
+      request.inputs = inputs;
+      request.common.output = output;
+      request.common.timeLimit_s = 3;
+      core::SilentProgress silent;
+      return stage.run(request, silent);
+    }
+    throw std::logic_error("there is no stage study");
+  }
+  static constexpr const char* grid =
+      R"(, "grids": [ { "name": "g", "origin": [0,0,0.8], "u": [4,0,0], "v": [0,3,0], "counts": [8,6] } ])";
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(StudyStage, ChartsEverySolverAndGoesOnWhereItWasStopped) {
+  write("room", grid);
+  const std::string project = (folder_.path() / "room").string(), out = (folder_.path() / "out").string();
+  const StageReport first = study({project}, out);
+  const core::Value& runs = *first.json.find("runs");
+  bool path = false, gather = false, tree = false, chosen = false;
+  for (const core::Value& run : runs.array()) {
+    const std::string& line = run.find("line")->string();
+    path |= line == "path", gather |= line == "gather";
+    if (run.find("auto")->boolean()) chosen = true;
+    // What claims to be right is right.
+    if (line == "tree") {
+      tree = true;
+      EXPECT_GT(run.find("rms")->number(), 0.1);  // no interreflection
+    } else {
+      EXPECT_GT(run.find("inside")->number(), 0.8) << core::toJson(run);
+    }
+  }
+  EXPECT_TRUE(path && gather && tree && chosen);
+  EXPECT_TRUE(std::filesystem::exists(out + "/study.csv"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/work-precision.figure.json"));
+  // A second call calculates nothing anew, not even after a line that was cut off.
+  std::ofstream(out + "/study.jsonl", std::ios::app) << "{\"line\": \"pa";
+  const StageReport second = study({project}, out);
+  const auto& again = second.json.find("runs")->array();
+  ASSERT_GE(again.size(), runs.array().size());
+  for (std::size_t i = 0; i < runs.array().size(); ++i)
+    EXPECT_EQ(core::toJson(again[i]), core::toJson(runs.array()[i]));
+}
+
+TEST_F(StudyStage, SeveralProjectsMakeAPageAndABrokenOneFailsAlone) {
+  write("a room", grid);
+  write("no grid", "");
+  const std::string out = (folder_.path() / "out").string();
+  const StageReport report = study({folder_.path().string()}, out);
+  EXPECT_TRUE(report.inputFailed);
+  const std::string page = core::readFile(out + "/README.md");
+  EXPECT_NE(page.find("not studied"), std::string::npos);
+  EXPECT_NE(page.find("gather (`auto`)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace goniolux::pipeline
