@@ -24,8 +24,7 @@ constexpr double remainderShare = 0.0625;  // of the accuracy asked for, that th
 constexpr std::uint32_t mostSamples = 1u << 20;  // per replicate and point
 constexpr double largestFirstGrowth = 1024;      // of a point's samples, from the pilot to the first estimate
 constexpr double largestGrowth = 8;              // from then on
-constexpr std::size_t fewPoints = 48;  // too few for one measure of what a light solution misses: done without it
-constexpr double spreadShare = 0.5;    // of the accuracy asked for, that an uneven remainder may take
+constexpr double spreadShare = 0.5;              // of the accuracy asked for, that an uneven remainder may take
 constexpr double commonShare = 0.7;
 constexpr double wholeGrowth = 4;   // samples of paths that go to their own end, for the same spread
 constexpr double paceMargin = 0.8;  // of the time left that a round may plan for
@@ -159,6 +158,7 @@ class GridRun {
 
   /// Measures what the solver misses; rounds after this add it.
   void findRemainder(double secondsLeft, core::ProgressSink& progress) {
+    if (std::all_of(whole_.begin(), whole_.end(), [](char whole) { return whole != 0; })) return;
     remainder_ = estimateRemainder(solver_, quantity_, receivers_, plans_, core::combine(key_, remainderKey),
                                    remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence,
                                    secondsLeft, progress);
@@ -220,12 +220,8 @@ class GridRun {
     }
     // Only the points that are not yet good enough are estimated anew, or all of them when it is the mean that is not.
     // More samples do not help against the noise of what all points have in common.
-    const core::ReplicateMean common = core::replicateMean(remainder_.factors);
-    double interreflected = 0;
-    for (const auto& plan : plans_) interreflected += of(plan->interreflected) / static_cast<double>(n);
     const double room = allowed(e.mean.value, e.mean.value);
-    const bool all =
-        e.mean.halfWidth() > room && quantile_ * common.standardError * interreflected < commonShare * room;
+    const bool all = e.mean.halfWidth() > room && commonNoise() < commonShare * room;
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < n; ++i) {
       if (!all && halfWidth(e, i) <= allowed(e.values[i], e.mean.value)) continue;
@@ -253,8 +249,23 @@ class GridRun {
     return whole_[static_cast<std::size_t>(lowest)] != 0;
   }
 
-  /// More samples for the points that may be the minimum; returns them.
+  /// True when it is the mean's noise that keeps the uniformity from what was asked.
+  bool meanSpoilsUniformity(const GridEstimate& e) const {
+    const double room = 0.5 * accuracy_.uniformity * e.mean.value;
+    return e.u0.value > 0.1 && e.mean.statistical > room && commonNoise() < commonShare * room;
+  }
+
+  /// More samples for the points that may be the minimum, or for all where the mean spoils the uniformity; returns
+  /// them.
   std::vector<std::size_t> refineMinimum(const GridEstimate& e) {
+    if (meanSpoilsUniformity(e)) {
+      const double ratio = 1.15 * e.mean.statistical / (0.5 * accuracy_.uniformity * e.mean.value);
+      std::vector<std::size_t> points(receivers_.size());
+      std::iota(points.begin(), points.end(), std::size_t{0});
+      for (std::uint32_t& samples : samples_)
+        samples = netSize(samples * std::clamp(ratio * ratio, 1.25, largestGrowth));
+      return points;
+    }
     const double room = std::min(allowed(e.minimum.value, e.mean.value), 0.7 * accuracy_.uniformity * e.minimum.value);
     double growth = std::pow(1.15 * e.minimum.halfWidth() / std::max(room, 1e-300), 2);
     growth = std::clamp(growth, 1.5, largestGrowth);
@@ -270,6 +281,12 @@ class GridRun {
  private:
   static constexpr double chiSquared95 = 24.996;  // 95 % point with 15 degrees of freedom (NIST handbook, 1.3.6.7.4)
 
+  /// Half-width of what the measure of the remainder adds to all points alike.
+  [[nodiscard]] double commonNoise() const {
+    double interreflected = 0;
+    for (const auto& plan : plans_) interreflected += of(plan->interreflected) / static_cast<double>(plans_.size());
+    return quantile_ * core::replicateMean(remainder_.factors).standardError * interreflected;
+  }
   /// The quantity's part of a response.
   [[nodiscard]] double of(const solver::Response& response) const {
     return quantity_.factor * response[quantity_.channel];

@@ -22,6 +22,8 @@
 namespace goniolux::analysis {
 
 inline constexpr int replicateCount = 16;
+/// Grids with fewer points give no measure of what a light solution misses: they are calculated without it.
+inline constexpr std::size_t fewPoints = 48;
 
 /// The accuracy asked for, relative (0.01 = 1 %).
 struct GridAccuracy {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/grid_estimate.h"
 #include "planner/spectral_choice.h"
 #include "reflection/shading.h"
 #include "solver/solver.h"
@@ -22,7 +23,7 @@ bool needsTrees(const project::Project& project) {
                      [](const auto& m) { return reflection::findShadingModel(m.model) != nullptr; });
 }
 
-void chooseSolver(const project::Project& project, Plan& plan) {
+void chooseSolver(const project::Project& project, bool forColour, Plan& plan) {
   const auto& settings = project.settings;
   plan.tree = {settings.treeMaxDepth,    settings.treeCutoff, settings.treeAdaptive,
                settings.reflectionModel, settings.asPrinted,  settings.ambient};
@@ -37,6 +38,15 @@ void chooseSolver(const project::Project& project, Plan& plan) {
     return;
   }
   if (project.settings.solver == "auto") {
+    // A light solution pays when many points share it, and pictures are of many points.
+    const bool few = std::all_of(project.grids.begin(), project.grids.end(),
+                                 [](const analysis::Grid& grid) { return grid.points.size() < analysis::fewPoints; });
+    if (few && !forColour) {
+      plan.solver = "path";
+      plan.reasons.push_back(
+          fmt::format("solver path: no grid has {} points, too few for a light solution to pay", analysis::fewPoints));
+      return;
+    }
     plan.solver = "gather";
     plan.reasons.emplace_back(
         "solver gather: closed-form direct light, and paths that end in a light solution whose error is measured");
@@ -133,7 +143,7 @@ Plan makePlan(const project::Project& project, const scene::World& world, bool f
   Plan plan;
   const auto& asked = project.settings.accuracy;
   plan.accuracy = forColour ? std::min(asked.grid, asked.image) : asked.grid;
-  chooseSolver(project, plan);
+  chooseSolver(project, forColour, plan);
   chooseSpectral(project, world, forColour, plan);
   const std::size_t nodes = plan.quadrature.wavelengths.size();
   if (nodes < 471 && plan.spectralBound > 0)
