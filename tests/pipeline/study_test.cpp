@@ -129,6 +129,21 @@ TEST_F(StudyStage, ChartsEverySolverAndGoesOnWhereItWasStopped) {
     EXPECT_EQ(core::toJson(again[i]), core::toJson(runs.array()[i]));
 }
 
+// A light solution pays when many points share it; on the cube's six points `gather` took ten times what `path` takes.
+TEST_F(StudyStage, AutoTakesPathsForAHandfulOfPoints) {
+  write("few", R"(, "grids": [ { "name": "g", "origin": [0,0,0.8], "u": [4,0,0], "v": [0,3,0], "counts": [3,2] } ])");
+  write("many", grid);
+  for (const auto& [name, solver] : {std::pair{"few", "path"}, std::pair{"many", "gather"}}) {
+    for (const Stage& stage : stages()) {
+      if (stage.name != "plan") continue;
+      StageRequest request;
+      request.inputs = {(folder_.path() / name).string()};
+      core::SilentProgress silent;
+      EXPECT_EQ(stage.run(request, silent).json.find("solver")->string(), solver) << name;
+    }
+  }
+}
+
 TEST_F(StudyStage, SeveralProjectsMakeAPageAndABrokenOneFailsAlone) {
   write("a room", grid);
   write("no grid", "");
