@@ -79,8 +79,9 @@ class StudyStage : public ::testing::Test {
       "materials": { "grey": { "model": "lambert", "diffuse": 0.5 } },
       "objects": [ { "name": "room", "shape": "box", "min": [0,0,0], "max": [4,3,2.5], "facing": "inward",
                      "material": "grey" } ],
-      "luminaires": [ { "name": "L", "photometry": "isotropic", "flux": 3000, "position": [2,1.5,2] } ])"
-                                                          << extra << " }";
+      "luminaires": [ { "name": "L", "photometry": "isotropic", "flux": 3000, "position": [2,1.5,2] } ],
+      "settings": { "accuracy": { "grid": "10 %" } })" << extra
+                                                          << " }";
   }
   static StageReport study(const std::vector<std::string>& inputs, const std::string& output) {
     for (const Stage& stage : stages()) {
