@@ -22,6 +22,7 @@ int main(int count, char** arguments) {
   goniolux::gui::applyTheme(QSettings().value("theme", "light").toString());
   goniolux::gui::MainWindow window;
   window.show();
+  window.offerRecovery();
   const QStringList given = QApplication::arguments();
   if (given.size() > 1) window.openProject(given.at(1));
   return QApplication::exec();
