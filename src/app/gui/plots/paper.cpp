@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/gui/plots/drawing_lock.h"
 #include "app/gui/plots/qt_ink.h"
 #include "app/gui/window/theme.h"
 #include "plot/vtk/line_chart_painter.h"
@@ -62,6 +63,7 @@ void Paper::draw() {
   if (!make_ || width() < 10) return;
   drawing_.ask([make = make_, size = size(), dense = devicePixelRatioF()] {
     auto drawn = std::make_shared<Drawn>();
+    const QMutexLocker lock(&drawingLock());
     try {
       const Sheet sheet = make();
       const double scale = dense * std::min(static_cast<double>(size.width()) / sheet.width,

@@ -63,8 +63,7 @@ LuminairePage::LuminairePage(QWidget* parent)
   sheet_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   sheet_->setLineWrapMode(QPlainTextEdit::NoWrap);
   sheet_->setFrameShape(QFrame::NoFrame);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 4);
+  split->setSizes({560, 480});
   connect(files_, QOverload<int>::of(&QComboBox::activated), this, [this] { showFile(files_->currentText()); });
 }
 
@@ -92,7 +91,8 @@ QString LuminairePage::pathOf(const QString& name) const {
   if (QFileInfo(name).isAbsolute()) return name;
   if (const QString inProject = QDir(folder_).filePath(name); QFileInfo::exists(inProject)) return inProject;
   for (const auto& place : project::programDataFolders())
-    if (const QString own = QString::fromStdString((place / "luminaires").string()) + "/" + name; QFileInfo::exists(own))
+    if (const QString own = QString::fromStdString((place / "luminaires").string()) + "/" + name;
+        QFileInfo::exists(own))
       return own;
   return name;
 }

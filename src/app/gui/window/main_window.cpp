@@ -184,6 +184,10 @@ void MainWindow::connectPanels() {
 void MainWindow::setTheme(const QString& name) {
   applyTheme(name);
   roomPage_->applyColours();
+  tree_->rebuild();
+  resultsPanel_->show(outcome_.results, outcome_.isFinal);
+  if (outcome_.results && outcomeRevision_ != document_.revision()) resultsPanel_->setStale(true);
+  if (document_.isOpen()) showHealth();
   const std::pair<int, const char*> tabs[] = {
       {0, "perspective"}, {1, "grid"}, {2, "render"}, {3, "luminaire"}, {4, "material"}};
   for (const auto& [index, picture] : tabs) pages_->setTabIcon(index, icon(picture));

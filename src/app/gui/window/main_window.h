@@ -98,6 +98,7 @@ class MainWindow final : public QMainWindow {
   // main_window_project.cpp: opening, saving, what was checked
   void showOpened();
   void showChecked();
+  void showHealth();
   void updateTitle();
   void choose(const std::vector<std::string>& pointers);
   void moveEntry(const QString& pointer, const core::Vec3& metres);

@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QStatusBar>
 
+#include "app/gui/plots/drawing_lock.h"
 #include "app/gui/room/grid_overlay.h"
 #include "app/gui/window/jobs_panel.h"
 #include "app/gui/window/main_window.h"
@@ -82,6 +83,7 @@ void MainWindow::showGrids(quint64 revision, const GridsOutcome& outcome) {
   if (revision != document_.revision()) resultsPanel_->setStale(true);
   planPage_->show(outcome);
   overlays_->run([this, results = outcome.results] {
+    const QMutexLocker lock(&drawingLock());
     auto overlay = std::make_shared<const GridOverlay>(overlayOf(results->grids, "viridis"));
     post(this, [this, overlay, results] {
       if (outcome_.results == results) roomPage_->showOverlay(overlay);

@@ -86,19 +86,7 @@ void MainWindow::showOpened() {
 
 void MainWindow::showChecked() {
   const CheckedProject& checked = *checker_.latest();
-  problems_->show(checked.diagnostics);
-  QString words;
-  if (problems_->errors() > 0) {
-    words = tr("%n error(s)", nullptr, problems_->errors());
-  } else if (problems_->warnings() > 0) {
-    words = tr("%n warning(s)", nullptr, problems_->warnings());
-  } else {
-    words = tr("no problems");
-  }
-  const QColor colour = problems_->errors() > 0     ? theme().fail
-                        : problems_->warnings() > 0 ? theme().undecided
-                                                    : theme().pass;
-  health_->setText(QString("<span style='color:%1'>● </span>%2").arg(colour.name(), words));
+  showHealth();
   if (checked.scene) {
     roomPage_->showProject(checked, needsFraming_);
     picturePage_->setViews(checked.project->views);
@@ -113,6 +101,23 @@ void MainWindow::showChecked() {
     dock->raise();
   }
   updateTitle();
+}
+
+void MainWindow::showHealth() {
+  const CheckedProject& checked = *checker_.latest();
+  problems_->show(checked.diagnostics);
+  QString words;
+  if (problems_->errors() > 0) {
+    words = tr("%n error(s)", nullptr, problems_->errors());
+  } else if (problems_->warnings() > 0) {
+    words = tr("%n warning(s)", nullptr, problems_->warnings());
+  } else {
+    words = tr("no problems");
+  }
+  const QColor colour = problems_->errors() > 0     ? theme().fail
+                        : problems_->warnings() > 0 ? theme().undecided
+                                                    : theme().pass;
+  health_->setText(QString("<span style='color:%1'>● </span>%2").arg(colour.name(), words));
 }
 
 void MainWindow::updateTitle() {

@@ -25,7 +25,7 @@ QString measured(const image::Measured& m, int digits) {
 }
 
 QString row(const QString& name, const QString& value) {
-  return QString("<tr><td style='padding-right:14px'>%1</td><td align='right'><b>%2</b></td></tr>").arg(name, value);
+  return QString("<tr><td style='padding-right:10px'>%1</td><td><b>%2</b></td></tr>").arg(name, value);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ PicturePage::PicturePage(QWidget* parent)
 
 QWidget* PicturePage::buildMeter() {
   auto* side = new QWidget(this);
-  side->setFixedWidth(248);
+  side->setFixedWidth(292);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(12);
@@ -84,6 +84,7 @@ QWidget* PicturePage::buildMeter() {
   device_ = new QComboBox(display);
   device_->setObjectName("device");
   for (const std::string& name : display::presetNames()) device_->addItem(QString::fromStdString(name));
+  device_->setCurrentText("srgb");
   form->addRow(tr("Device"), device_);
   stops_ = new QSlider(Qt::Horizontal, display);
   stops_->setRange(-12, 12);
@@ -106,6 +107,7 @@ QWidget* PicturePage::buildMeter() {
   meter_ = new QLabel(meterBox);
   meter_->setObjectName("meter");
   meter_->setTextFormat(Qt::RichText);
+  meter_->setWordWrap(true);
   meter_->setMinimumHeight(128);
   meter_->setAlignment(Qt::AlignTop);
   meter_->setTextInteractionFlags(Qt::TextSelectableByMouse);
