@@ -141,8 +141,11 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   // A luminaire is moved by the mouse, in plan; the results are known to be stale, and come again.
   window_->pages().setCurrentIndex(0);
   gui::RoomView& view = window_->roomPage().view();
+  QTest::qWait(200);
+  const QImage perspective = view.grabFramebuffer();
   view.setPreset(gui::OrbitCamera::Preset::plan);
-  QTest::qWait(100);
+  QTest::qWait(300);
+  EXPECT_NE(view.grabFramebuffer(), perspective) << "what is seen follows the camera";
   const auto& mark = window_->checker().latest()->scene->luminaires.front();
   const QPoint at = view.toWidget(mark.position);
   QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at);

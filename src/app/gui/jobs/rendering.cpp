@@ -5,7 +5,7 @@
 
 #include "display/adopted_white.h"
 #include "display/device.h"
-#include "display/exposure.h"
+#include "display/display_image.h"
 #include "display/mapping.h"
 #include "image/image_file.h"
 #include "pipeline/engine.h"
@@ -45,18 +45,24 @@ Job::Work renderWork(Source source, std::string viewName, std::string folder,
   };
 }
 
+std::string mappingText(const DisplayChoice& choice) {
+  if (choice.mapping != "linear") return choice.mapping;
+  return QString("linear:ev=auto%1%2").arg(choice.stops < 0 ? "" : "+").arg(choice.stops, 0, 'g', 4).toStdString();
+}
+
 std::shared_ptr<const ShownImage> shownImage(const image::XyzImage& image, const DisplayChoice& choice) {
   auto shown = std::make_shared<ShownImage>();
   try {
     const display::Device device = display::readDevice(choice.device);
-    display::MappingSettings settings;
+    display::DisplaySettings settings;
+    settings.mapping = display::mappingNamed(mappingText(choice));
     if (choice.adapts) settings.adoptedWhite = display::adoptedWhiteOf(image);
-    const auto statistics = display::luminanceStatistics(image, display::rgbFromXyz(device, settings.adoptedWhite));
-    settings.white_cd_m2 = display::automaticExposure(statistics, choice.stops).white_cd_m2;
-    const display::CodeImage codes = display::mapToDevice(image, device, settings);
-    shown->white_cd_m2 = settings.white_cd_m2;
-    shown->clipped = codes.clipped;
-    shown->outOfGamut = codes.outOfGamut;
+    const display::DisplayedImage displayed = display::displayImage(image, device, settings);
+    const display::CodeImage& codes = displayed.codes;
+    shown->method = QString::fromStdString(displayed.method);
+    shown->white_cd_m2 = displayed.white_cd_m2;
+    shown->tooBright = displayed.tooBright;
+    shown->outOfGamut = displayed.outOfGamut;
     shown->picture = QImage(codes.width, codes.height, QImage::Format_RGB888);
     for (int y = 0; y < codes.height; ++y) {
       uchar* line = shown->picture.scanLine(y);

@@ -25,16 +25,21 @@ Job::Work renderWork(Source source, std::string view, std::string folder, std::f
 /// How an image is shown.
 struct DisplayChoice {
   std::string device = "srgb";
-  double stops = 0;    ///< brighter or darker than the automatic exposure
-  bool adapts = true;  ///< the scene's white becomes the device's
+  std::string mapping = "linear";  ///< a name of display::mappingTypes()
+  double stops = 0;                ///< brighter or darker than the automatic exposure
+  bool adapts = true;              ///< the scene's white becomes the device's
 };
 
 struct ShownImage {
   QImage picture;
-  std::size_t clipped = 0, outOfGamut = 0;
+  std::size_t tooBright = 0, outOfGamut = 0;  ///< pixels
   double white_cd_m2 = 0;
-  QString failure;
+  QString method;   ///< what the luminance mapping did
+  QString failure;  ///< why there is no picture
 };
+
+/// The mapping as `goniolux display --mapping` is told: the stops belong to "linear".
+std::string mappingText(const DisplayChoice& choice);
 
 /// Runs on a drawing thread.
 std::shared_ptr<const ShownImage> shownImage(const image::XyzImage& image, const DisplayChoice& choice);

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStatusBar>
 #include <QToolBar>
 
 #include "app/gui/jobs/job_queue.h"
@@ -115,6 +116,14 @@ void MainWindow::buildActions() {
       QSettings().setValue("theme", chosen);
     });
   }
+
+  QMenu* languages = view->addMenu(tr("&Language"));
+  const std::pair<const char*, const char*> tongues[] = {{"en", "English"}, {"de", "Deutsch"}};
+  for (const auto& [code, title] : tongues)
+    connect(languages->addAction(title), &QAction::triggered, this, [this, chosen = QString(code)] {
+      QSettings().setValue("language", chosen);
+      statusBar()->showMessage(tr("The language changes when the program is started again."), 6000);
+    });
 
   auto* bar = new QToolBar(tr("Main toolbar"), this);
   bar->setObjectName("mainToolBar");

@@ -155,8 +155,7 @@ bool MainWindow::exportTo(const QString& what, const QString& file) {
       request.inputs = {picturePage_->outcome().file};
       request.common.output = file.toStdString();
       request.options["device"] = choice.device;
-      request.options["exposure"] =
-          QString("auto%1%2").arg(choice.stops < 0 ? "" : "+").arg(choice.stops, 0, 'g', 4).toStdString();
+      request.options["mapping"] = mappingText(choice);
       request.options["adapt"] = choice.adapts ? "auto" : "none";
       Job* job = jobs_->start(tr("Export %1").arg(QFileInfo(file).fileName()),
                               stageWork("display", request, [](const auto&) {}));

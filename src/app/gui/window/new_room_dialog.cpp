@@ -115,6 +115,7 @@ NewRoomDialog::NewRoomDialog(QWidget* parent) : QDialog(parent) {
   form->addRow(tr("Folder"), row({folder_, choose}, ""));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Make the room"));
+  for (QAbstractButton* button : buttons->buttons()) button->setIcon({});
   layout->addSpacing(6);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -14,6 +14,7 @@
 
 #include "app/gui/window/icons.h"
 #include "display/device.h"
+#include "display/mapping.h"
 #include "plot/number_text.h"
 
 namespace goniolux::gui {
@@ -86,6 +87,16 @@ QWidget* PicturePage::buildMeter() {
   for (const std::string& name : display::presetNames()) device_->addItem(QString::fromStdString(name));
   device_->setCurrentText("srgb");
   form->addRow(tr("Device"), device_);
+  mapping_ = new QComboBox(display);
+  mapping_->setObjectName("mapping");
+  for (const display::MappingType& type : display::mappingTypes()) {
+    mapping_->addItem(QString::fromStdString(type.name));
+    mapping_->setItemData(mapping_->count() - 1, QString::fromStdString(type.title + "\n" + type.source),
+                          Qt::ToolTipRole);
+  }
+  mapping_->setCurrentText("linear");
+  mapping_->setToolTip(tr("How the luminances of the room become those of the display"));
+  form->addRow(tr("Luminance"), mapping_);
   stops_ = new QSlider(Qt::Horizontal, display);
   stops_->setRange(-12, 12);
   stops_->setToolTip(tr("Brighter or darker than the automatic exposure, in thirds of a stop"));
@@ -126,6 +137,10 @@ QWidget* PicturePage::buildMeter() {
   column->addWidget(compare);
   column->addStretch(1);
   connect(device_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PicturePage::redraw);
+  connect(mapping_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    stops_->setEnabled(mapping_->currentText() == "linear");
+    redraw();
+  });
   connect(stops_, &QSlider::valueChanged, this, &PicturePage::redraw);
   connect(adapts_, &QCheckBox::toggled, this, &PicturePage::redraw);
   connect(split_, &QSlider::valueChanged, this, [this](int value) { canvas_->setSplit(value / 100.0); });
@@ -152,7 +167,8 @@ QString PicturePage::chosenView() const {
 }
 
 DisplayChoice PicturePage::choice() const {
-  return {device_->currentText().toStdString(), stops_->value() / 3.0, adapts_->isChecked()};
+  return {device_->currentText().toStdString(), mapping_->currentText().toStdString(), stops_->value() / 3.0,
+          adapts_->isChecked()};
 }
 
 void PicturePage::show(const RenderOutcome& outcome) {
@@ -199,10 +215,12 @@ void PicturePage::take(const std::shared_ptr<const ShownImage>& shown) {
   }
   canvas_->show(shown->picture);
   const double all = std::max(1, shown->picture.width() * shown->picture.height());
-  exposure_->setText(tr("White is %1 cd/m². Too bright: %2 %, too pure: %3 % of the pixels.")
-                         .arg(shown->white_cd_m2, 0, 'g', 4)
-                         .arg(100 * static_cast<double>(shown->clipped) / all, 0, 'f', 1)
-                         .arg(100 * static_cast<double>(shown->outOfGamut) / all, 0, 'f', 1));
+  QString words;
+  if (shown->white_cd_m2 > 0) words = tr("White is %1 cd/m². ").arg(shown->white_cd_m2, 0, 'g', 4);
+  exposure_->setText(words + tr("Too bright: %1 %, too pure: %2 % of the pixels.")
+                                 .arg(100 * static_cast<double>(shown->tooBright) / all, 0, 'f', 1)
+                                 .arg(100 * static_cast<double>(shown->outOfGamut) / all, 0, 'f', 1));
+  exposure_->setToolTip(shown->method);
 }
 
 QString PicturePage::reading(const QPoint& pixel) const {

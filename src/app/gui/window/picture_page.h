@@ -50,7 +50,7 @@ class PicturePage final : public QWidget {
   RenderOutcome outcome_;
   std::shared_ptr<const image::XyzImage> earlier_;
   ImageCanvas* canvas_;
-  QComboBox *views_ = nullptr, *device_ = nullptr, *accuracy_ = nullptr;
+  QComboBox *views_ = nullptr, *device_ = nullptr, *mapping_ = nullptr, *accuracy_ = nullptr;
   QSlider *stops_ = nullptr, *split_ = nullptr;
   QCheckBox* adapts_ = nullptr;
   QSpinBox* radius_ = nullptr;

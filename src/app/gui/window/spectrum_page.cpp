@@ -90,6 +90,7 @@ void SpectrumPage::showProject(std::shared_ptr<const project::Project> project) 
     add(last, i, true);
   }
   if (!chosen.isEmpty()) choose(chosen);
+  draw();
 }
 
 void SpectrumPage::choose(const QString& name) {
