@@ -20,12 +20,16 @@ Worker::Worker(const QString& name, QObject* parent) : QObject(parent), place_(n
 }
 
 Worker::~Worker() {
-  thread_.quit();
+  isStopping_ = true;
+  // Asked for by the thread itself: a quit() from here is lost when its event loop has not begun yet.
+  post(place_, [this] { thread_.quit(); });
   thread_.wait();
 }
 
 void Worker::run(std::function<void()> work) {
-  post(place_, std::move(work));
+  post(place_, [this, task = std::move(work)] {
+    if (!isStopping_) task();
+  });
 }
 
 void post(QObject* receiver, std::function<void()> work) {
