@@ -73,7 +73,9 @@ class StudioFixture : public testing::Test {
   /// GONIOLUX_UPDATE_PAGES is set).
   void screenshot(const QString& name) {
     QTest::qWait(150);
-    const QPixmap picture = window_->grab();
+    saveScreenshot(window_->grab(), name);
+  }
+  static void saveScreenshot(const QPixmap& picture, const QString& name) {
     ASSERT_FALSE(picture.isNull());
     QStringList folders{QString(GONIOLUX_BINARY_DIR) + "/studio-screenshots"};
     if (qEnvironmentVariableIsSet("GONIOLUX_UPDATE_PAGES"))

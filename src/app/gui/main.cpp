@@ -1,11 +1,14 @@
-// goniolux-studio: the interface. `goniolux-studio [PROJECT]`
+// goniolux-studio: the interface. `goniolux-studio [PROJECT]`; `goniolux-studio --time-start` prints how long the
+// window took to appear, and ends.
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkObject.h>
 #include <QApplication>
 #include <QSettings>
 #include <QSurfaceFormat>
 
+#include "app/gui/window/language.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/start_time.h"
 #include "app/gui/window/theme.h"
 
 int main(int count, char** arguments) {
@@ -19,10 +22,13 @@ int main(int count, char** arguments) {
   QApplication::setOrganizationName("Goniolux");
   QApplication::setApplicationName("goniolux-studio");
   QApplication::setApplicationDisplayName("Goniolux Studio");
+  goniolux::gui::installLanguage(QSettings().value("language", "system").toString());
   goniolux::gui::applyTheme(QSettings().value("theme", "light").toString());
   goniolux::gui::MainWindow window;
   window.show();
-  const QStringList given = QApplication::arguments();
-  if (given.size() > 1) window.openProject(given.at(1));
+  window.offerRecovery();
+  QStringList given = QApplication::arguments().mid(1);
+  if (given.removeAll("--time-start") > 0) goniolux::gui::reportStartAndQuit(window);
+  if (!given.isEmpty()) window.openProject(given.first());
   return QApplication::exec();
 }

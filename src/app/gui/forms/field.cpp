@@ -64,6 +64,8 @@ void Field::buildChoice() {
   for (const std::string& name : key_.choices)
     choice_->addItem(QString::fromStdString(name), QString::fromStdString(name));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice_->setMinimumContentsLength(10);
+  choice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   layout()->addWidget(choice_);
   connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     const QString picked = choice_->currentData().toString();

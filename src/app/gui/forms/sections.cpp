@@ -88,7 +88,7 @@ std::string labelOf(const std::string& key) {
 }
 
 std::string unitOf(const Key& key, const std::string& projectUnits) {
-  if (!key.unit.empty()) return key.unit == "m" ? projectUnits : key.unit;
+  if (!key.unit.empty()) return key.unit == "m" ? projectUnits : key.unit == "1" ? std::string() : key.unit;
   switch (key.form) {
     case Form::length:
     case Form::point:

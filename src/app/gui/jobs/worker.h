@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QThread>
+#include <atomic>
 #include <functional>
 
 namespace goniolux::gui {
@@ -20,6 +21,7 @@ class Worker final : public QObject {
 
  private:
   QThread thread_;
+  std::atomic<bool> isStopping_{false};
   QObject* place_;  // lives in the thread
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/gui/plots/drawing_lock.h"
 #include "app/gui/plots/qt_ink.h"
 #include "app/gui/window/theme.h"
 #include "pipeline/plan_map.h"
@@ -96,6 +97,7 @@ void PlanView::draw() {
   options.height = static_cast<int>(height() / zoom);
   worker_.run([this, outcome = outcome_, grid, options, zoom, dense = devicePixelRatioF()] {
     auto drawn = std::make_shared<Drawn>();
+    const QMutexLocker lock(&drawingLock());
     drawn->map = pipeline::planMapOf(*outcome.results, *grid, outcome.outline.get(), options);
     drawn->layout = plot::layoutOf(drawn->map);
     drawn->halfWidths = grid->halfWidths;
@@ -161,6 +163,7 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
 
 QString PlanView::exportTo(const QString& file) const {
   if (!drawn_) return tr("There is no plot yet; calculate first.");
+  const QMutexLocker lock(&drawingLock());
   const plot::MapLayout& layout = drawn_->layout;
   if (file.endsWith(".pdf", Qt::CaseInsensitive)) {
     QPdfWriter writer(file);

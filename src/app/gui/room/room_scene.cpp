@@ -134,15 +134,19 @@ class Box {
 }  // namespace
 
 plot::Rgb colourOf(const material::Material& material) {
-  static const display::Device srgb = display::readDevice("srgb");
-  static const core::Mat3 toRgb = display::rgbFromXyz(srgb, std::nullopt);
   static const spectrum::SpectralDistribution daylight = *spectrum::illuminant("CIE D65");
+  return colourOf(material, daylight);
+}
+
+plot::Rgb colourOf(const material::Material& material, const spectrum::SpectralDistribution& light) {
+  static const display::Device srgb = display::readDevice("srgb");
+  const core::Mat3 toRgb = display::rgbFromXyz(srgb, spectrum::chromaticity(spectrum::tristimulus(light)));
   // The finish's largest curve that is a reflectance or transmittance; one without any (a conductor) looks like metal.
   spectrum::Xyz colour{0.55, 0.57, 0.6};
   double brightest = -1;
   for (const auto& [key, curve] : material.spectra) {
     if (curve.range().second > 1) continue;
-    const spectrum::Xyz seen = spectrum::tristimulus(curve, daylight);
+    const spectrum::Xyz seen = spectrum::tristimulus(curve, light);
     if (seen.Y > brightest) brightest = seen.Y, colour = seen;
   }
   const Vec3 linear = toRgb * Vec3(colour.X, colour.Y, colour.Z);

@@ -36,7 +36,8 @@ struct RoomScene {
 /// `text` is what the project was read from: places in it become pointers.
 RoomScene roomSceneOf(const project::Project& project, const std::string& text);
 
-/// The colour of a finish in daylight on an sRGB display.
+/// The colour of a finish in daylight on an sRGB display, or under another light, whose white becomes the display's.
 plot::Rgb colourOf(const material::Material& material);
+plot::Rgb colourOf(const material::Material& material, const spectrum::SpectralDistribution& light);
 
 }  // namespace goniolux::gui

@@ -33,6 +33,9 @@ RoomView::RoomView(QWidget* parent)
   window_->SetMultiSamples(0);
   setRenderWindow(window_);
   window_->AddRenderer(renderer_);
+  draw_.setSingleShot(true);
+  draw_.setInterval(0);
+  connect(&draw_, &QTimer::timeout, this, &RoomView::drawNow);
   interactor()->SetInteractorStyle(nullptr);  // the mouse is read here
   renderer_->SetAutomaticLightCreation(false);
   vtkNew<vtkLight> light;
@@ -178,17 +181,15 @@ void RoomView::setCut(std::optional<double> height) {
 }
 
 void RoomView::update3d() {
-  if (!isVisible()) return;
-  camera_.applyTo(*renderer_->GetActiveCamera());
-  renderer_->ResetCameraClippingRange();
-  update();
+  // One picture for all that changes in one turn of the event loop.
+  if (isVisible() && !draw_.isActive()) draw_.start();
 }
 
 void RoomView::drawNow() {
+  if (!isVisible() || width() < 2) return;
   camera_.applyTo(*renderer_->GetActiveCamera());
   renderer_->ResetCameraClippingRange();
   window_->Render();
-  repaint();
 }
 
 Ray RoomView::rayThrough(const QPoint& at) const {

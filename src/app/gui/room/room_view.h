@@ -5,6 +5,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkSmartPointer.h>
 #include <QPoint>
+#include <QTimer>
 
 #include <memory>
 #include <optional>
@@ -96,6 +97,7 @@ class RoomView final : public QVTKOpenGLNativeWidget {
   std::optional<core::Vec3> measuredFrom_;
   bool isMeasuring_ = false;
   double snap_ = 0.1;
+  QTimer draw_;
 };
 
 }  // namespace goniolux::gui

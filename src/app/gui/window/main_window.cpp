@@ -9,14 +9,19 @@
 #include <QStatusBar>
 #include <QTabWidget>
 
+#include "app/gui/document/recovery.h"
 #include "app/gui/forms/property_panel.h"
+#include "app/gui/window/accuracy_panel.h"
 #include "app/gui/window/icons.h"
 #include "app/gui/window/jobs_panel.h"
+#include "app/gui/window/luminaire_page.h"
+#include "app/gui/window/picture_page.h"
 #include "app/gui/window/plan_page.h"
 #include "app/gui/window/problems_panel.h"
 #include "app/gui/window/project_tree.h"
 #include "app/gui/window/results_panel.h"
 #include "app/gui/window/room_page.h"
+#include "app/gui/window/spectrum_page.h"
 #include "app/gui/window/start_page.h"
 #include "app/gui/window/text_panel.h"
 #include "app/gui/window/theme.h"
@@ -41,6 +46,10 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
+  // What is destroyed tells nobody any more.
+  document_.undoStack().disconnect();
+  document_.disconnect();
+  checker_.disconnect();
   disconnect(jobs_.get(), nullptr, this, nullptr);
   overlays_.reset();
   jobs_.reset();
@@ -55,8 +64,14 @@ void MainWindow::buildPages() {
   pages_->setDocumentMode(true);
   roomPage_ = new RoomPage(pages_);
   planPage_ = new PlanPage(pages_);
+  picturePage_ = new PicturePage(pages_);
+  luminairePage_ = new LuminairePage(pages_);
+  spectrumPage_ = new SpectrumPage(pages_);
   pages_->addTab(roomPage_, icon("perspective"), tr("Room"));
   pages_->addTab(planPage_, icon("grid"), tr("Illuminance"));
+  pages_->addTab(picturePage_, icon("render"), tr("Picture"));
+  pages_->addTab(luminairePage_, icon("luminaire"), tr("Luminaire"));
+  pages_->addTab(spectrumPage_, icon("material"), tr("Spectra"));
   stack_->addWidget(start_);
   stack_->addWidget(pages_);
 }
@@ -68,6 +83,8 @@ void MainWindow::buildPanels() {
   problems_ = new ProblemsPanel(this);
   jobsPanel_ = new JobsPanel(*jobs_, this);
   text_ = new TextPanel(document_, this);
+  accuracyPanel_ = new AccuracyPanel(*jobs_, this);
+  recovery_ = new Recovery(document_, this);
   const auto dock = [this](const QString& title, const char* name, QWidget* widget, Qt::DockWidgetArea area) {
     auto* panel = new QDockWidget(title, this);
     panel->setObjectName(name);
@@ -83,10 +100,12 @@ void MainWindow::buildPanels() {
   auto* problems = dock(tr("Problems"), "problemsDock", problems_, Qt::BottomDockWidgetArea);
   auto* jobs = dock(tr("Jobs and log"), "jobsDock", jobsPanel_, Qt::BottomDockWidgetArea);
   auto* text = dock(tr("Project text"), "textDock", text_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(results, problems);
+  auto* accuracy = dock(tr("Accuracy"), "accuracyDock", accuracyPanel_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(results, accuracy);
+  tabifyDockWidget(accuracy, problems);
   tabifyDockWidget(problems, jobs);
   tabifyDockWidget(jobs, text);
-  for (QDockWidget* panel : {results, problems, jobs, text})
+  for (QDockWidget* panel : {results, accuracy, problems, jobs, text})
     panel->setTitleBarWidget(new QWidget);  // the tabs name them
   results->raise();
   setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
@@ -131,6 +150,22 @@ void MainWindow::connectPanels() {
   });
   connect(&roomPage_->view(), &RoomView::pointed, pointed_, &QLabel::setText);
   connect(&planPage_->view(), &PlanView::pointed, pointed_, &QLabel::setText);
+  connect(picturePage_, &PicturePage::renderRequested, this, &MainWindow::render);
+  connect(picturePage_, &PicturePage::exportRequested, this, [this] { exportDialog("picture"); });
+  connect(picturePage_, &PicturePage::accuracyChosen, this, [this](const QString& accuracy) {
+    document_.set("/settings/accuracy/image", core::Value(accuracy.toStdString()),
+                  tr("Change the accuracy of pictures"));
+  });
+  connect(planPage_, &PlanPage::exportRequested, this, [this] { exportDialog("plan"); });
+  connect(luminairePage_, &LuminairePage::importRequested, this, &MainWindow::importDialog);
+  connect(luminairePage_, &LuminairePage::useRequested, this,
+          [this](const QString& n) { replacePhotometry(n, false); });
+  connect(luminairePage_, &LuminairePage::replaceRequested, this,
+          [this](const QString& n) { replacePhotometry(n, true); });
+  connect(accuracyPanel_, &AccuracyPanel::accuracyChosen, this, [this](const QString& accuracy) {
+    document_.set("/settings/accuracy/grid", core::Value(accuracy.toStdString()), tr("Change the accuracy"));
+  });
+  connect(start_, &StartPage::newRequested, this, &MainWindow::newRoomDialog);
   connect(resultsPanel_, &ResultsPanel::gridChosen, planPage_, &PlanPage::setGrid);
   connect(problems_, &ProblemsPanel::placeChosen, this, [this](int line, int column) {
     auto* dock = findChild<QDockWidget*>("textDock");
@@ -149,7 +184,12 @@ void MainWindow::connectPanels() {
 void MainWindow::setTheme(const QString& name) {
   applyTheme(name);
   roomPage_->applyColours();
-  const std::pair<int, const char*> tabs[] = {{0, "perspective"}, {1, "grid"}};
+  tree_->rebuild();
+  resultsPanel_->show(outcome_.results, outcome_.isFinal);
+  if (outcome_.results && outcomeRevision_ != document_.revision()) resultsPanel_->setStale(true);
+  if (document_.isOpen()) showHealth();
+  const std::pair<int, const char*> tabs[] = {
+      {0, "perspective"}, {1, "grid"}, {2, "render"}, {3, "luminaire"}, {4, "material"}};
   for (const auto& [index, picture] : tabs) pages_->setTabIcon(index, icon(picture));
   for (QAction* action : findChildren<QAction*>())
     if (const QString picture = action->property("picture").toString(); !picture.isEmpty())

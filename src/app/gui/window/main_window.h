@@ -2,16 +2,19 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTemporaryDir>
 #include <memory>
 
 #include "app/gui/document/checked_project.h"
 #include "app/gui/document/document.h"
 #include "app/gui/jobs/calculations.h"
 #include "app/gui/jobs/job_queue.h"
+#include "app/gui/jobs/rendering.h"
 
 class QAction;
 class QComboBox;
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QStackedWidget;
 class QTabWidget;
@@ -19,7 +22,12 @@ class QToolBar;
 
 namespace goniolux::gui {
 
+class AccuracyPanel;
 class JobsPanel;
+class LuminairePage;
+class PicturePage;
+class Recovery;
+class SpectrumPage;
 class PlanPage;
 class ProblemsPanel;
 class ProjectTree;
@@ -42,6 +50,11 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] const ProjectChecker& checker() const { return checker_; }
   [[nodiscard]] RoomPage& roomPage() { return *roomPage_; }
   [[nodiscard]] PlanPage& planPage() { return *planPage_; }
+  [[nodiscard]] PicturePage& picturePage() { return *picturePage_; }
+  [[nodiscard]] LuminairePage& luminairePage() { return *luminairePage_; }
+  [[nodiscard]] SpectrumPage& spectrumPage() { return *spectrumPage_; }
+  [[nodiscard]] AccuracyPanel& accuracyPanel() { return *accuracyPanel_; }
+  [[nodiscard]] Recovery& recovery() { return *recovery_; }
   [[nodiscard]] ResultsPanel& results() { return *resultsPanel_; }
   [[nodiscard]] ProjectTree& tree() { return *tree_; }
   [[nodiscard]] PropertyPanel& properties() { return *properties_; }
@@ -51,6 +64,16 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] std::shared_ptr<const project::Results> currentResults() const;
 
   Job* calculate();
+  Job* render(const QString& view);
+  /// Makes a room as the stage `new` is asked to, and opens it.
+  void newRoom(const pipeline::StageRequest& request);
+  /// Copies a photometric file into the project's folder and shows it; its name there, "" when it cannot be.
+  QString importPhotometry(const QString& file);
+  void replacePhotometry(const QString& name, bool everywhere);
+  /// Writes what is shown: .csv results, .png or .pdf of the plan, .png or .exr of the picture.
+  bool exportTo(const QString& what, const QString& file);
+  /// Offers what an earlier process that was killed left; opens the newest. False when there is nothing.
+  bool offerRecovery();
   bool save();
   bool saveAs(const QString& folder);
   void setTheme(const QString& name);
@@ -59,6 +82,8 @@ class MainWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   // main_window.cpp: what there is
@@ -73,6 +98,7 @@ class MainWindow final : public QMainWindow {
   // main_window_project.cpp: opening, saving, what was checked
   void showOpened();
   void showChecked();
+  void showHealth();
   void updateTitle();
   void choose(const std::vector<std::string>& pointers);
   void moveEntry(const QString& pointer, const core::Vec3& metres);
@@ -80,10 +106,18 @@ class MainWindow final : public QMainWindow {
   bool mayClose();
   void rememberRecent(const QString& path);
   void showFailure(const QString& title, const QString& message);
+  // main_window_files.cpp: what comes in and goes out
+  void newRoomDialog();
+  void importDialog();
+  void importModelDialog();
+  void exportDialog(const QString& what);
+  [[nodiscard]] QStringList photometryOfProject() const;
   // main_window_jobs.cpp: calculating
   void showGrids(quint64 revision, const GridsOutcome& outcome);
   void loadEarlierResults();
   void saveResults();
+  void copyCommandLine();
+  void showRendering(const RenderOutcome& outcome);
   void showProgress();
   [[nodiscard]] Source source() const;
 
@@ -97,6 +131,11 @@ class MainWindow final : public QMainWindow {
   QTabWidget* pages_ = nullptr;
   RoomPage* roomPage_ = nullptr;
   PlanPage* planPage_ = nullptr;
+  PicturePage* picturePage_ = nullptr;
+  LuminairePage* luminairePage_ = nullptr;
+  SpectrumPage* spectrumPage_ = nullptr;
+  AccuracyPanel* accuracyPanel_ = nullptr;
+  Recovery* recovery_ = nullptr;
   ProjectTree* tree_ = nullptr;
   PropertyPanel* properties_ = nullptr;
   ResultsPanel* resultsPanel_ = nullptr;
@@ -108,8 +147,11 @@ class MainWindow final : public QMainWindow {
   QLabel* progressText_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QComboBox* accuracy_ = nullptr;
-  QAction *save_ = nullptr, *saveAs_ = nullptr, *calculate_ = nullptr, *pause_ = nullptr, *stop_ = nullptr;
+  QMenu *importing_ = nullptr, *exporting_ = nullptr;
+  QAction *render_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *calculate_ = nullptr, *pause_ = nullptr,
+          *stop_ = nullptr;
 
+  QTemporaryDir drafts_;  // images of projects that are not saved as they are
   GridsOutcome outcome_;
   quint64 outcomeRevision_ = 0;
   bool needsFraming_ = false, asksBeforeClosing_ = true;

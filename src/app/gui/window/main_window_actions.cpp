@@ -8,11 +8,13 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStatusBar>
 #include <QToolBar>
 
 #include "app/gui/jobs/job_queue.h"
 #include "app/gui/window/icons.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/picture_page.h"
 #include "app/gui/window/project_tree.h"
 #include "app/gui/window/room_page.h"
 #include "app/gui/window/theme.h"
@@ -27,12 +29,28 @@ void MainWindow::buildActions() {
     return action;
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
+  QAction* create = make(file, "new", tr("&New room …"), QKeySequence::New);
+  connect(create, &QAction::triggered, this, &MainWindow::newRoomDialog);
   QAction* open = make(file, "open", tr("&Open …"), QKeySequence::Open);
   connect(open, &QAction::triggered, this, &MainWindow::openDialog);
   save_ = make(file, "save", tr("&Save"), QKeySequence::Save);
   connect(save_, &QAction::triggered, this, &MainWindow::save);
   saveAs_ = make(file, "", tr("Save &as …"), QKeySequence("Ctrl+Shift+S"));
   connect(saveAs_, &QAction::triggered, this, [this] { saveAs(QString()); });
+  file->addSeparator();
+  importing_ = file->addMenu(tr("&Import"));
+  connect(importing_->addAction(icon("luminaire"), tr("Photometric file …")), &QAction::triggered, this,
+          &MainWindow::importDialog);
+  connect(importing_->addAction(icon("object"), tr("Model (OBJ, PLY, STL, glTF) …")), &QAction::triggered, this,
+          &MainWindow::importModelDialog);
+  exporting_ = file->addMenu(tr("&Export"));
+  const std::pair<const char*, QString> exports[] = {{"results", tr("Results as CSV …")},
+                                                     {"plan", tr("Illuminance plot as PNG or PDF …")},
+                                                     {"picture", tr("Picture as PNG or OpenEXR …")},
+                                                     {"room", tr("3-D view as PNG …")}};
+  for (const auto& [what, title] : exports)
+    connect(exporting_->addAction(title), &QAction::triggered, this,
+            [this, name = QString(what)] { exportDialog(name); });
   file->addSeparator();
   QAction* close = make(file, "", tr("&Close project"), QKeySequence::Close);
   connect(close, &QAction::triggered, this, [this] {
@@ -73,6 +91,12 @@ void MainWindow::buildActions() {
   connect(pause_, &QAction::toggled, this, [this](bool on) {
     if (Job* job = jobs_->current()) job->setPaused(on);
   });
+  render_ = make(calculation, "render", tr("&Render the chosen view"), QKeySequence("F7"));
+  connect(render_, &QAction::triggered, this, [this] { render(picturePage_->chosenView()); });
+  QAction* copy = make(calculation, "", tr("&Copy as command line"), QKeySequence("Ctrl+Shift+C"));
+  copy->setToolTip(tr("The last job as a command of goniolux that does the same"));
+  connect(copy, &QAction::triggered, this, &MainWindow::copyCommandLine);
+  calculation->addSeparator();
   stop_ = make(calculation, "stop", tr("&Stop"), QKeySequence("Shift+F5"));
   connect(stop_, &QAction::triggered, jobs_.get(), &JobQueue::stopAll);
 
@@ -93,12 +117,21 @@ void MainWindow::buildActions() {
     });
   }
 
+  QMenu* languages = view->addMenu(tr("&Language"));
+  const std::pair<const char*, const char*> tongues[] = {{"en", "English"}, {"de", "Deutsch"}};
+  for (const auto& [code, title] : tongues)
+    connect(languages->addAction(title), &QAction::triggered, this, [this, chosen = QString(code)] {
+      QSettings().setValue("language", chosen);
+      statusBar()->showMessage(tr("The language changes when the program is started again."), 6000);
+    });
+
   auto* bar = new QToolBar(tr("Main toolbar"), this);
   bar->setObjectName("mainToolBar");
   bar->setIconSize({20, 20});
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->setMovable(false);
   addToolBar(bar);
+  bar->addAction(create);
   bar->addAction(open);
   bar->addAction(save_);
   bar->addSeparator();
@@ -149,6 +182,10 @@ void MainWindow::updateActions() {
     pause_->setChecked(false);
   }
   stop_->setEnabled(job != nullptr);
+  render_->setEnabled(isOpen && job == nullptr);
+  picturePage_->setRendering(job != nullptr);
+  importing_->setEnabled(isOpen);
+  exporting_->setEnabled(isOpen);
   accuracy_->setEnabled(isOpen);
   if (!isOpen) return;
   const core::Value* asked = document_.find("/settings/accuracy/grid");

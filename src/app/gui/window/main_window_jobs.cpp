@@ -1,11 +1,16 @@
 // The main window's jobs: calculating the grids, and showing what comes of it.
+#include <QApplication>
+#include <QClipboard>
 #include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
+#include <QStatusBar>
 
+#include "app/gui/plots/drawing_lock.h"
 #include "app/gui/room/grid_overlay.h"
 #include "app/gui/window/jobs_panel.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/picture_page.h"
 #include "app/gui/window/plan_page.h"
 #include "app/gui/window/results_panel.h"
 #include "app/gui/window/room_page.h"
@@ -31,6 +36,37 @@ Job* MainWindow::calculate() {
   return job;
 }
 
+Job* MainWindow::render(const QString& view) {
+  if (!document_.isOpen() || view.isEmpty()) return nullptr;
+  text_->commit();
+  const QString folder = document_.isModified() ? drafts_.path() : document_.folder() + "/results";
+  Job* job = jobs_->start(tr("Render “%1”").arg(view),
+                          renderWork(source(), view.toStdString(), folder.toStdString(),
+                                     [this](const RenderOutcome& outcome) { showRendering(outcome); }));
+  pipeline::StageRequest request;
+  request.inputs = {document_.folder().toStdString()};
+  request.options["view"] = view.toStdString();
+  job->setCommandLine(commandLine("render", request));
+  pages_->setCurrentWidget(picturePage_);
+  updateActions();
+  return job;
+}
+
+void MainWindow::copyCommandLine() {
+  // The last job that a command does as well.
+  for (auto job = jobs_->jobs().rbegin(); job != jobs_->jobs().rend(); ++job) {
+    if ((*job)->commandLine().isEmpty()) continue;
+    QApplication::clipboard()->setText((*job)->commandLine());
+    statusBar()->showMessage(tr("Copied: %1").arg((*job)->commandLine()), 6000);
+    return;
+  }
+  statusBar()->showMessage(tr("Nothing has been calculated yet."), 4000);
+}
+
+void MainWindow::showRendering(const RenderOutcome& outcome) {
+  if (document_.isOpen()) picturePage_->show(outcome);
+}
+
 void MainWindow::loadEarlierResults() {
   const quint64 revision = document_.revision();
   jobs_->start(tr("Look for earlier results"),
@@ -47,6 +83,7 @@ void MainWindow::showGrids(quint64 revision, const GridsOutcome& outcome) {
   if (revision != document_.revision()) resultsPanel_->setStale(true);
   planPage_->show(outcome);
   overlays_->run([this, results = outcome.results] {
+    const QMutexLocker lock(&drawingLock());
     auto overlay = std::make_shared<const GridOverlay>(overlayOf(results->grids, "viridis"));
     post(this, [this, overlay, results] {
       if (outcome_.results == results) roomPage_->showOverlay(overlay);

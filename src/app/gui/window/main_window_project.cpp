@@ -13,13 +13,17 @@
 
 #include "app/gui/document/json_pointer.h"
 #include "app/gui/forms/property_panel.h"
+#include "app/gui/window/accuracy_panel.h"
 #include "app/gui/window/jobs_panel.h"
+#include "app/gui/window/luminaire_page.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/picture_page.h"
 #include "app/gui/window/plan_page.h"
 #include "app/gui/window/problems_panel.h"
 #include "app/gui/window/project_tree.h"
 #include "app/gui/window/results_panel.h"
 #include "app/gui/window/room_page.h"
+#include "app/gui/window/spectrum_page.h"
 #include "app/gui/window/start_page.h"
 #include "app/gui/window/text_panel.h"
 #include "app/gui/window/theme.h"
@@ -68,6 +72,9 @@ void MainWindow::showOpened() {
   needsFraming_ = true;
   resultsPanel_->show(nullptr, true);
   planPage_->clear();
+  picturePage_->clear();
+  picturePage_->setViews({});
+  spectrumPage_->showProject(nullptr);
   roomPage_->showOverlay(nullptr);
   if (!isOpen) {
     problems_->show({});
@@ -78,6 +85,25 @@ void MainWindow::showOpened() {
 }
 
 void MainWindow::showChecked() {
+  const CheckedProject& checked = *checker_.latest();
+  showHealth();
+  if (checked.scene) {
+    roomPage_->showProject(checked, needsFraming_);
+    picturePage_->setViews(checked.project->views);
+    spectrumPage_->showProject(checked.project);
+    luminairePage_->setFiles(photometryOfProject(), document_.folder());
+    accuracyPanel_->setSource(source());
+    needsFraming_ = false;
+  } else if (needsFraming_) {
+    // Nothing can be drawn yet: what is wrong comes first.
+    auto* dock = findChild<QDockWidget*>("problemsDock");
+    dock->show();
+    dock->raise();
+  }
+  updateTitle();
+}
+
+void MainWindow::showHealth() {
   const CheckedProject& checked = *checker_.latest();
   problems_->show(checked.diagnostics);
   QString words;
@@ -92,16 +118,6 @@ void MainWindow::showChecked() {
                         : problems_->warnings() > 0 ? theme().undecided
                                                     : theme().pass;
   health_->setText(QString("<span style='color:%1'>● </span>%2").arg(colour.name(), words));
-  if (checked.scene) {
-    roomPage_->showProject(checked, needsFraming_);
-    needsFraming_ = false;
-  } else if (needsFraming_) {
-    // Nothing can be drawn yet: what is wrong comes first.
-    auto* dock = findChild<QDockWidget*>("problemsDock");
-    dock->show();
-    dock->raise();
-  }
-  updateTitle();
 }
 
 void MainWindow::updateTitle() {
@@ -112,7 +128,14 @@ void MainWindow::updateTitle() {
 
 void MainWindow::choose(const std::vector<std::string>& pointers) {
   properties_->showEntries(pointers);
-  roomPage_->view().select(pointers.empty() ? std::string() : pointers.front());
+  if (pointers.empty()) return roomPage_->view().select({});
+  const std::string& first = pointers.front();
+  roomPage_->view().select(first);
+  if (first.starts_with("/materials/")) spectrumPage_->choose(QString::fromStdString(lastStep(first)));
+  if (const Value* file = document_.find(under(first, "photometry")); first.starts_with("/luminaires/") &&
+                                                                      file != nullptr && file->isString() &&
+                                                                      file->string().find('.') != std::string::npos)
+    luminairePage_->showFile(QString::fromStdString(file->string()));
 }
 
 void MainWindow::moveEntry(const QString& pointer, const core::Vec3& metres) {

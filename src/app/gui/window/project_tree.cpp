@@ -92,6 +92,7 @@ void ProjectTree::rebuild() {
   if (document_.isOpen()) {
     auto* project = new QTreeWidgetItem(this, {document_.title()});
     project->setIcon(0, icon("project"));
+    project->setFirstColumnSpanned(true);
     project->setData(0, pointerRole, QString());
     addList(tr("Objects"), "objects", "object");
     addList(tr("Materials"), "materials", "material");

@@ -21,6 +21,8 @@ class ProjectTree final : public QTreeWidget {
   [[nodiscard]] std::vector<std::string> selection() const;
 
   void addEntry(const std::string& listPointer);
+  /// Shows everything anew: after a change of the theme.
+  void rebuild();
   void duplicateSelection();
   void removeSelection();
 
@@ -28,7 +30,6 @@ class ProjectTree final : public QTreeWidget {
   void chosen(const std::vector<std::string>& pointers);
 
  private:
-  void rebuild();
   void addList(const QString& title, const char* key, const QString& iconName);
   void markProblems();
   void showMenu(const QPoint& at);

@@ -51,9 +51,9 @@ ResultsPanel::ResultsPanel(QWidget* parent) : QWidget(parent) {
                                       "illuminance is luminous flux per area of a surface."));
   table_->headerItem()->setToolTip(u0Column, tr("Uniformity: smallest illuminance over mean (EN 12464-1)."));
   table_->headerItem()->setToolTip(udColumn, tr("Diversity: smallest illuminance over largest."));
-  table_->header()->resizeSection(nameColumn, 170);
+  table_->header()->resizeSection(nameColumn, 142);
   for (int c = meanColumn; c < columnCount; ++c) {
-    table_->header()->resizeSection(c, c == pointsColumn ? 70 : 122);
+    table_->header()->resizeSection(c, c == pointsColumn ? 66 : c >= u0Column ? 106 : 104);
     table_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
   }
   table_->header()->setStretchLastSection(false);
@@ -62,9 +62,10 @@ ResultsPanel::ResultsPanel(QWidget* parent) : QWidget(parent) {
   });
   verdicts_ = makeTable({tr("Requirement"), tr("Verdict")}, split);
   verdicts_->setObjectName("verdictsTable");
-  verdicts_->header()->resizeSection(0, 300);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
+  verdicts_->header()->setStretchLastSection(false);
+  verdicts_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  verdicts_->header()->resizeSection(1, 96);
+  split->setSizes({800, 420});
   show(nullptr, true);
 }
 

@@ -53,7 +53,7 @@ void RoomPage::addPresets() {
   bar_->addAction(icon("fit"), tr("Show everything (double click)"), view_, &RoomView::frameAll);
   views_ = new QComboBox(bar_);
   views_->setToolTip(tr("Look through a view of the project"));
-  views_->setMinimumContentsLength(10);
+  views_->setMinimumContentsLength(13);
   bar_->addWidget(views_);
   connect(views_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     if (index > 0) view_->lookThrough(projectViews_.at(static_cast<std::size_t>(index - 1)));

@@ -47,17 +47,15 @@ QString styleSheetOf(const Theme& t) {
              "QTreeView::item, QListView::item { padding: 3px 2px; }"
              "QHeaderView::section { padding: 5px 8px; border: none; border-right: 1px solid %3; "
              "border-bottom: 1px solid %3; background: %2; }"
-             "QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { padding: 3px 6px; border: 1px solid %3; "
+             "QLineEdit { padding: 3px 6px; border: 1px solid %3; "
              "border-radius: 3px; background: %5; min-height: 18px; }"
-             "QComboBox::drop-down { border: none; width: 20px; }"
-             "QComboBox::down-arrow { image: none; width: 0; height: 0; border-left: 4px solid transparent; "
-             "border-right: 4px solid transparent; border-top: 5px solid %9; margin-right: 6px; }"
-             "QLineEdit:focus, QComboBox:focus { border-color: %6; }"
+             "QLineEdit:focus { border-color: %6; }"
+             "QComboBox QLineEdit, QAbstractSpinBox QLineEdit { border: none; padding: 0; }"
              "QLineEdit[wrong=\"true\"] { border-color: %7; }"
              "QTabBar::tab { padding: 7px 14px; }"
              "QToolTip { padding: 5px; border: 1px solid %3; background: %2; color: %8; }")
       .arg(t.window.name(), t.panel.name(), t.border.name(), t.isDark ? "#3a424d" : "#dfe6ee", t.base.name(),
-           t.accent.name(), t.fail.name(), t.text.name(), t.faintText.name());
+           t.accent.name(), t.fail.name(), t.text.name());
 }
 
 bool systemIsDark() {

@@ -1,0 +1,105 @@
+#include "app/gui/window/accuracy_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/window/jobs_panel.h"
+
+namespace goniolux::gui {
+namespace {
+
+const char* const accuracies[] = {"10 %", "5 %", "2 %", "1 %", "0.5 %"};
+
+QString textOf(const core::Value* value) {
+  return value != nullptr && value->isString() ? QString::fromStdString(value->string()) : QString();
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(JobQueue& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 10, 10, 10);
+  layout->setSpacing(14);
+  auto* left = new QVBoxLayout;
+  table_ = new QTreeWidget(this);
+  table_->setObjectName("accuracyTable");
+  table_->setHeaderLabels({tr("Accuracy"), tr("Predicted time"), tr("Solver"), tr("Wavelengths")});
+  table_->setRootIsDecorated(false);
+  table_->setAlternatingRowColors(true);
+  for (const char* accuracy : accuracies) new QTreeWidgetItem(table_, {QString("± ") + accuracy, "–", "–", "–"});
+  left->addWidget(table_, 1);
+  ask_ = new QPushButton(tr("Predict the times"), this);
+  ask_->setToolTip(tr("Tries each accuracy coarsely; takes some seconds"));
+  left->addWidget(ask_, 0, Qt::AlignLeft);
+  layout->addLayout(left, 3);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  words_ = new QLabel(tr("What the planner would leave out, and why it chooses as it does, appears here."), this);
+  words_->setWordWrap(true);
+  words_->setAlignment(Qt::AlignTop);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  scroll->setWidget(words_);
+  layout->addWidget(scroll, 4);
+  connect(ask_, &QPushButton::clicked, this, &AccuracyPanel::estimate);
+  connect(table_, &QTreeWidget::itemDoubleClicked, this,
+          [this](QTreeWidgetItem* item) { Q_EMIT accuracyChosen(accuracies[table_->indexOfTopLevelItem(item)]); });
+}
+
+void AccuracyPanel::setSource(const Source& source) {
+  if (source.text == source_.text) return;
+  source_ = source;
+  known_ = 0;
+  for (int i = 0; i < table_->topLevelItemCount(); ++i)
+    for (int c = 1; c < 4; ++c) table_->topLevelItem(i)->setText(c, "–");
+}
+
+void AccuracyPanel::estimate() {
+  if (source_.file.empty()) return;
+  for (int row = 0; row < table_->topLevelItemCount(); ++row) {
+    pipeline::StageRequest request;
+    request.inputs = {source_.file};
+    request.projectText = source_.text;
+    request.common.accuracy = accuracies[row];
+    table_->topLevelItem(row)->setText(1, tr("being predicted"));
+    Job* job = jobs_.start(tr("Predict the time for %1").arg(accuracies[row]),
+                           stageWork("plan", request, [this, row, text = source_.text](const auto& report) {
+                             if (text == source_.text) take(row, report);
+                           }));
+    job->setCommandLine(commandLine("plan", request));
+  }
+}
+
+void AccuracyPanel::take(int row, const pipeline::StageReport& report) {
+  ++known_;
+  QTreeWidgetItem* item = table_->topLevelItem(row);
+  const core::Value* time = report.json.find("predicted_time_s");
+  if (time != nullptr && time->isNumber()) item->setText(1, tr("about %1").arg(secondsText(time->number())));
+  item->setText(2, textOf(report.json.find("solver")));
+  if (const core::Value* samples = report.json.find("spectral_samples"); samples != nullptr && samples->isNumber())
+    item->setText(3, QString::number(samples->number()));
+  QString words = "<b>" + tr("At ± %1").arg(accuracies[row]) + "</b>";
+  const auto list = [&](const char* key, const QString& title, auto line) {
+    const core::Value* entries = report.json.find(key);
+    if (entries == nullptr || !entries->isArray() || entries->array().empty()) return;
+    words += "<p>" + title + "<ul>";
+    for (const core::Value& entry : entries->array()) words += "<li>" + line(entry).toHtmlEscaped() + "</li>";
+    words += "</ul>";
+  };
+  list("left_out", tr("Left out:"), [](const core::Value& entry) {
+    QString text = textOf(entry.find("what"));
+    const core::Value* bound = entry.find("bound");
+    if (bound != nullptr && bound->isNumber())
+      text += tr(": at most %1 %2").arg(bound->number(), 0, 'g', 2).arg(textOf(entry.find("unit")));
+    return text;
+  });
+  list("reasons", tr("Because:"), [](const core::Value& entry) { return textOf(&entry); });
+  words_->setText(words);
+}
+
+}  // namespace goniolux::gui
