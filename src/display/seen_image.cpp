@@ -85,7 +85,8 @@ glm::vec3 read(const Level& level, double u, double v) {
 }  // namespace
 
 double degreesAcross(const XyzImage& image) {
-  const auto view = image.attributes.find(image::viewAttribute);
+  auto view = image.attributes.find(image::viewGeometryAttribute);
+  if (view == image.attributes.end()) view = image.attributes.find(image::viewAttribute);
   if (view != image.attributes.end()) {
     core::TextScanner scanner(view->second);
     while (const auto word = scanner.word("")) {

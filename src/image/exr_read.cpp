@@ -19,14 +19,13 @@
 #include "core/parallel.h"
 #include "core/text.h"
 #include "image/exr.h"
+#include "image/exr_header_check.h"
 #include "image/exr_names.h"
 #include "image/exr_streams.h"
 #include "image/rgb_to_xyz.h"
 
 namespace goniolux::image {
 namespace {
-
-constexpr int largestSide = 65536;  // pixels; bounds what a damaged header can make the library allocate
 
 [[noreturn]] void refuse(const std::string& path, const char* rule, std::string message) {
   throw core::InputError({path, 0, 0}, rule, std::move(message));
@@ -85,6 +84,7 @@ void calibrate(XyzImage& image, const Imf::Header& header, bool rgb) {
 }
 
 XyzImage decode(std::string_view bytes, const std::string& path) {
+  checkExrHeader(bytes, path);
   Imf::Header::setMaxImageSize(largestSide, largestSide);  // the library's, for all files: before any thread reads
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
@@ -93,15 +93,7 @@ XyzImage decode(std::string_view bytes, const std::string& path) {
   const Imath::Box2i window = header.dataWindow();
   const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
   const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
-  if (width < 1 || height < 1 || width > largestSide || height > largestSide) {
-    refuse(path, "image-size", fmt::format("an image of {} x {} pixels cannot be read", width, height));
-  }
-  // No method packs tighter than deflate's 1 : 1032; three channels have at least 2 bytes a pixel each.
-  if (width * height * 6 > static_cast<std::int64_t>(bytes.size()) * 1100) {
-    refuse(path, "damaged-image",
-           fmt::format("the header promises {} x {} pixels, which {} bytes cannot hold; the file is damaged", width,
-                       height, bytes.size()));
-  }
+  checkSize(width, height, bytes.size(), path);
 
   XyzImage image;
   image.width = static_cast<int>(width);

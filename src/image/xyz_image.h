@@ -33,6 +33,8 @@ inline constexpr const char* systematicAttribute = "systematicHalfWidth";
 inline constexpr const char* confidenceAttribute = "confidence";
 /// Attribute: the view in Radiance's words ("-vta -vp …"), for programs that evaluate glare.
 inline constexpr const char* viewAttribute = "radianceView";
+/// Attribute: the same for every projection, also those that Radiance does not have (scene/view_text.h).
+inline constexpr const char* viewGeometryAttribute = "viewGeometry";
 /// Attribute of images from elsewhere whose unit the file does not state: "relative".
 inline constexpr const char* unitsAttribute = "photometricUnits";
 

@@ -9,8 +9,13 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "image/exr.h"
+#include "image/mix.h"
+#include "pipeline/image_form.h"
+#include "pipeline/render_layers.h"
 #include "pipeline/stages.h"
+#include "pipeline/text_option.h"
 #include "project/results.h"
+#include "scene/view_text.h"
 #include "spectrum/colorimetry.h"
 #include "viewing/pixel_loop.h"
 
@@ -31,8 +36,8 @@ const scene::View& findView(const project::Project& project, const std::string& 
                     : fmt::format("there is no view \"{}\"; the project has: {}", name, fmt::join(names, ", ")));
 }
 
-/// The chromaticity of the light of all sources together, "x y": what an observer in the scene is adapted to.
-std::string adoptedWhite(const Engine& engine) {
+/// X, Y, Z flux of all sources together; its chromaticity is what an observer in the scene is adapted to.
+spectrum::Xyz sourceFlux(const Engine& engine) {
   double X = 0, Y = 0, Z = 0;
   for (const scene::LightSource& source : engine.world.emitters) {
     const double flux = source.emitter->flux();
@@ -42,8 +47,7 @@ std::string adoptedWhite(const Engine& engine) {
       Z += flux * weight[2];
     }
   }
-  const auto [x, y] = spectrum::chromaticity({X, Y, Z});
-  return fmt::format("{:.5f} {:.5f}", x, y);
+  return {X, Y, Z};
 }
 
 /// How the image was made, as its attributes.
@@ -58,7 +62,12 @@ void describe(viewing::ImageEstimate& estimate, const project::Project& project,
   attributes["seed"] = std::to_string(settings.seed);
   attributes["solver"] = engine.plan.solver;
   attributes["spectralSampling"] = engine.plan.quadrature.scheme;
-  attributes[image::adoptedWhiteAttribute] = adoptedWhite(engine);
+  const spectrum::Xyz flux = sourceFlux(engine);
+  const auto [x, y] = spectrum::chromaticity(flux);
+  attributes[image::sourceFluxAttribute] = fmt::format("{:.8g} {:.8g} {:.8g}", flux.X, flux.Y, flux.Z);
+  attributes[image::adoptedWhiteAttribute] = fmt::format("{:.5f} {:.5f}", x, y);
+  attributes[image::viewGeometryAttribute] = scene::viewText(view);
+  if (scene::isKnownToRadiance(view)) attributes[image::viewAttribute] = scene::viewText(view);
   attributes[image::confidenceAttribute] = fmt::format("{:g}", settings.accuracy.confidence);
   attributes[image::systematicAttribute] = fmt::format("{:.6g}", estimate.missed);
   attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
@@ -78,15 +87,21 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
   if (views.empty())
     throw core::InputError({project.file, 0, 0}, "no-view", "the project has no views to render; add one to \"views\"");
 
-  const Engine engine(project, true);
+  RenderOptions options;
+  options.form = imageFormFrom(request, "view.exr").exr;
+  if (const auto channels = request.options.find("channels"); channels != request.options.end())
+    options.channels = spectralRangeFrom(channels->second);
   const std::string folder = resultsFolder(request, project);
+  if (request.options.contains("layers")) return renderLayers(project, views, folder, options, progress);
+
+  const Engine engine(project, true);
   StageReport report;
   report.warnings = project.warnings;
   core::Value list;
   const double limit = project.settings.timeLimit_s.value_or(std::numeric_limits<double>::infinity());
   for (const scene::View* view : views) {
     const RenderedView done =
-        renderToFile(project, engine, *view, folder, limit / static_cast<double>(views.size()), progress);
+        renderToFile(project, engine, *view, folder, limit / static_cast<double>(views.size()), progress, {}, options);
     report.files.push_back(done.file);
     report.text += renderText(done, project);
     if (views.size() == 1) report.json = toJson(done, engine);
@@ -102,7 +117,7 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
 
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
                           const std::string& folder, double secondsLeft, core::ProgressSink& progress,
-                          const viewing::ImageObserver& partial) {
+                          const viewing::ImageObserver& partial, const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const double cpuAtStart = core::processCpuSeconds();
   const std::uint64_t raysAtStart = engine.solver->rays();
@@ -129,8 +144,11 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
   if (failure) throw core::RunError(fmt::format("cannot make the folder {}: {}", folder, failure.message()));
   RenderedView done;
   done.name = view.name;
-  done.file = (fs::path(folder) / (project::fileNameFor(view.name) + ".exr")).string();
-  image::writeExr(done.file, estimate.image);
+  done.file = (fs::path(folder) / imageFileName(view)).string();
+  for (const auto& [name, value] : options.attributes) estimate.image.attributes[name] = value;
+  if (options.channels)
+    estimate.image.spectrum = renderSpectrum(project, engine, view, key, *options.channels, progress);
+  image::writeExr(done.file, estimate.image, options.form);
   done.reached = estimate.reached;
   done.shareWithin = estimate.shareWithin;
   done.missed = estimate.missed;
@@ -141,6 +159,10 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
   done.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
   done.rays = engine.solver->rays() - raysAtStart;
   return done;
+}
+
+std::string imageFileName(const scene::View& view) {
+  return project::fileNameFor(view.name) + ".exr";
 }
 
 core::Value toJson(const RenderedView& view, const Engine& engine) {
@@ -190,7 +212,17 @@ Stage renderStage() {
   view.title = "NAME";
   view.kind = core::ParameterKind::text;
   view.help = "the view to render; without it all views";
-  stage.options = {view};
+  core::Parameter layers = textOption("layers", "an image per luminaire group", "",
+                                      "layers/GROUP/NAME.exr, each at full level, also for groups dimmed to 0, and "
+                                      "NAME.exr as their sum at the project's "
+                                      "dimming or --scene; layers that are there already are not traced again",
+                                      false);
+  layers.kind = core::ParameterKind::boolean;
+  stage.options = {
+      view, layers,
+      textOption("channels", "spectral channels", "",
+                 "FROM:TO:STEP in nm, such as 400:700:10: spectral radiance in W/(m2 sr nm) beside X, Y, Z", false),
+      imageFormOption()};
   stage.run = render;
   return stage;
 }

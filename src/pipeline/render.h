@@ -2,7 +2,12 @@
 // plane).
 #pragma once
 
+#include <map>
+#include <optional>
+
+#include "image/exr.h"
 #include "pipeline/engine.h"
+#include "pipeline/render_spectrum.h"
 #include "viewing/pixel_loop.h"
 
 namespace goniolux::pipeline {
@@ -16,10 +21,18 @@ struct RenderedView {
   int width = 0, height = 0;
 };
 
+struct RenderOptions {
+  image::ExrForm form = image::ExrForm::float32;
+  std::optional<SpectralRange> channels;          ///< spectral channels beside X, Y, Z
+  std::map<std::string, std::string> attributes;  ///< further ones of the image
+};
+
 /// Renders one view and writes NAME.exr into the folder. `partial` sees the picture as it grows, its attributes set.
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
                           const std::string& folder, double secondsLeft, core::ProgressSink& progress,
-                          const viewing::ImageObserver& partial = {});
+                          const viewing::ImageObserver& partial = {}, const RenderOptions& options = {});
+/// The name of a view's image.
+std::string imageFileName(const scene::View& view);
 core::Value toJson(const RenderedView& view, const Engine& engine);
 std::string renderText(const RenderedView& view, const project::Project& project);
 

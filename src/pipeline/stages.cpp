@@ -25,6 +25,8 @@ const std::vector<Stage>& stages() {
       reportStage(),
       probeStage(),
       compareStage(),
+      mixStage(),
+      glareStage(),
 
       // many projects
       studyStage(),

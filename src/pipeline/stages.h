@@ -18,6 +18,8 @@ Stage renderStage();
 Stage displayStage();
 Stage probeStage();
 Stage compareStage();
+Stage mixStage();
+Stage glareStage();
 Stage plotStage();
 Stage reportStage();
 Stage studyStage();

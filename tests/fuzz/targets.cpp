@@ -6,6 +6,11 @@
 #include <cstdlib>
 #include <string>
 
+#include "display/device_model.h"
+#include "display/icc_device.h"
+#include "display/picture_file.h"
+#include "image/image_file.h"
+#include "image/patch.h"
 #include "photometry/eulumdat.h"
 #include "photometry/flux_check.h"
 #include "photometry/lm63.h"
@@ -95,6 +100,36 @@ Outcome tm27(std::string_view bytes) {
   });
 }
 
+// An image that was read has all its pixels; probing it ends.
+Outcome imageFile(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const image::XyzImage image = image::decodeImage(bytes, "fuzz");
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    require(count > 0 && image.x.size() == count && image.y.size() == count && image.z.size() == count,
+            "the image has not all its pixels");
+    (void)image::readPatch(image, 0, 0, 3);
+  });
+}
+
+Outcome iccProfile(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const display::Device device = display::iccDevice(std::string(bytes), "fuzz");
+    const auto model = display::makeModel(device);
+    std::vector<glm::vec3> light{{0.2F, 0.3F, 0.1F}, {0.9F, 1, 0.8F}};
+    model->toDevice(light);
+  });
+}
+
+template <display::CodeImage Reader(std::string_view, const std::string&)>
+Outcome picture(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const display::CodeImage image = Reader(bytes, "fuzz");
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    require(count > 0 && image.rgb.size() == 3 * count, "the picture has not all its pixels");
+    for (const std::uint16_t code : image.rgb) require(code < 1 << image.bits, "a code with too many bits");
+  });
+}
+
 }  // namespace
 
 const std::vector<Target>& targets() {
@@ -106,6 +141,12 @@ const std::vector<Target>& targets() {
       {"writers", {".ies", ".ldt", ".xml"}, writers},
       {"spectrum", {".spd", ".csv"}, twoColumns},
       {"tm27", {".spdx"}, tm27},
+      {"exr", {".exr"}, imageFile},
+      {"hdr", {".hdr"}, imageFile},
+      {"icc", {".icc"}, iccProfile},
+      {"png", {".png"}, picture<display::decodePng>},
+      {"tiff", {".tif"}, picture<display::decodeTiff>},
+      {"dpx", {".dpx"}, picture<display::decodeDpx>},
   };
   return list;
 }
