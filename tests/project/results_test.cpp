@@ -51,7 +51,16 @@ Results sample() {
   seat.background = {25, 0.5, {}};
   seat.sources = {{"panel[0,0]", 3000, 0.02, 1.5, 0.75}, {"panel[1,0]", 2900, 0.01, 2, 0.25}};
   results.observers.push_back(seat);
-  results.requirements.push_back({"mean of \"work plane\" at least 500 lx", RequirementResult::Verdict::fail});
+  RequirementResult requirement;
+  requirement.text = "mean of \"work plane\" at least 500 lx";
+  requirement.verdict = RequirementResult::Verdict::fail;
+  requirement.of = "work plane";
+  requirement.quantity = "mean_lx";
+  requirement.minimum = 500;
+  requirement.found = results.grids.front().mean;
+  requirement.clause = "EN 12464-1:2021, 34.2";
+  results.requirements.push_back(requirement);
+  results.inputs.push_back({"project.json", std::string(64, 'a')});
   return results;
 }
 
