@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "pages.h"
+#include "documentation/pages.h"
 #include "support/program.h"
 
 namespace goniolux::test {
