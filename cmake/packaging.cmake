@@ -9,9 +9,10 @@ set(manual_stamp ${CMAKE_BINARY_DIR}/share/made)
 # Written by the program itself from the tables that --help prints.
 add_custom_command(OUTPUT ${manual_stamp}
   COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:goniolux> -DMANUALS=${manual_folder} -DCOMPLETIONS=${completion_folder}
+          -DCHANGELOG=${PROJECT_SOURCE_DIR}/CHANGELOG.md
           -P ${PROJECT_SOURCE_DIR}/cmake/manuals.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${manual_stamp}
-  DEPENDS goniolux ${PROJECT_SOURCE_DIR}/cmake/manuals.cmake VERBATIM)
+  DEPENDS goniolux ${PROJECT_SOURCE_DIR}/cmake/manuals.cmake ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
 add_custom_target(manuals DEPENDS ${manual_stamp})
 add_dependencies(programs manuals)
 
@@ -41,7 +42,7 @@ endif()
 
 # Debian's own places for copyright and changelog; elsewhere they are just the documentation.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/goniolux RENAME copyright COMPONENT programs)
-install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/goniolux
+install(FILES ${completion_folder}/changelog.gz ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/goniolux
         COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/goniolux/docs COMPONENT programs)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/goniolux-dev RENAME copyright
@@ -84,7 +85,8 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "fonts-dejavu-core, libegl1, libgl1-me
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "weasyprint, fonts-lato")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME goniolux-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libembree-dev, libglm-dev, libopenexr-dev, libfmt-dev, libpugixml-dev, libassimp-dev, libpng-dev, libtiff-dev, libssl-dev, libjsoncpp-dev, liblcms2-dev, pkg-config")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libembree-dev, libglm-dev, libopenexr-dev, libfmt-dev, libpugixml-dev, libassimp-dev, libpng-dev, libjpeg-dev, libtiff-dev, libssl-dev, libjsoncpp-dev, liblcms2-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The engine of Goniolux as libraries, with headers and a CMake package.")
 include(CPack)

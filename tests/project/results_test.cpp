@@ -180,5 +180,16 @@ TEST(FileNames, FollowTheInterfaceDocument) {
   EXPECT_EQ(fileNameFor(""), "-");
 }
 
+TEST(SummaryTable, HasAsManyCellsInEveryLineOfATableAsItsHeadAndNoneBrokenByAName) {
+  Results results = sample();
+  results.grids.front().name = "work\tplane\n2";
+  const std::string table = toSummaryTable(results);
+  EXPECT_NE(table.find("work plane 2\tilluminance\tlx\t400.04\t3.5\t300\t3\t500.123\t5\t0.75\t0.01\n"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("seat 1\tugr\t1\t18.5\t0.2\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\tfail\tEN 12464-1:2021, 34.2\n"), std::string::npos) << table;
+}
+
 }  // namespace
 }  // namespace goniolux::project
