@@ -8,6 +8,7 @@
 
 #include "core/document.h"
 #include "plot/vtp.h"
+#include "project/summary_table.h"
 
 namespace goniolux::pipeline {
 namespace {

@@ -106,11 +106,6 @@ Results readResults(const std::string& path);
 /// grid: x_m, y_m, z_m, value, half-width (empty where excluded).
 std::string toCsv(const Results& results, const GridResult& grid);
 
-/// What a spreadsheet takes over, by file or clipboard: tab-separated; a line per grid (mean, minimum, maximum, U0) and
-/// observer, each figure with its half-width and the unit in its own column, then a line per requirement.
-std::string toSummaryTable(const Results& results);
-inline constexpr const char* summaryFileName = "summary.tsv";
-
 /// File name (without extension) made from a name in a project: lower case; everything but letters, digits, '.' and '-'
 /// becomes '-' ("work plane" -> "work-plane"). Letters beyond ASCII stay as they are.
 std::string fileNameFor(const std::string& name);

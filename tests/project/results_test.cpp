@@ -1,5 +1,7 @@
 #include "project/results.h"
 
+#include "project/summary_table.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
