@@ -34,12 +34,14 @@ function(goniolux_room name)
   list(TRANSFORM rooms PREPEND goniolux_)
   if(sources)
     add_library(goniolux_${name} STATIC ${sources})
-    target_include_directories(goniolux_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_include_directories(goniolux_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                                      $<INSTALL_INTERFACE:include/goniolux>)
     target_link_libraries(goniolux_${name} PUBLIC ${rooms} ${ROOM_LIBRARIES}
                                            PRIVATE goniolux_options ${ROOM_PRIVATE_LIBRARIES})
   else()
     add_library(goniolux_${name} INTERFACE)
-    target_include_directories(goniolux_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    target_include_directories(goniolux_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                                         $<INSTALL_INTERFACE:include/goniolux>)
     target_link_libraries(goniolux_${name} INTERFACE ${rooms} ${ROOM_LIBRARIES})
   endif()
 endfunction()

@@ -4,12 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <set>
+
+#include "spectrum/colour_rendering.h"
 
 namespace goniolux::pipeline {
 namespace {
 
 using Verdict = project::RequirementResult::Verdict;
+
+/// The lowest R_a among the luminaires that are on; NaN where a spectrum is not known (an equal-energy one stands in).
+core::Estimate colourRenderingOf(const project::Project& project) {
+  core::Estimate lowest;
+  lowest.value = std::numeric_limits<double>::quiet_NaN();
+  const scene::Environment& environment = project.environment;
+  std::set<std::uint32_t> used;
+  for (const scene::Luminaire& luminaire : environment.luminaires)
+    if (luminaire.flux_lm * luminaire.dimming > 0) used.insert(luminaire.spectrum);
+  for (const std::uint32_t index : used) {
+    const spectrum::SpectralDistribution& light = environment.sourceSpectra[index];
+    if (light.isFlat()) return {std::numeric_limits<double>::quiet_NaN(), 0, {}};
+    const double ra = spectrum::colourRendering(light).ra;
+    if (!(lowest.value <= ra)) lowest.value = ra;
+  }
+  return lowest;
+}
 
 std::optional<core::Estimate> quantityOf(const project::Results& results, const analysis::Requirement& requirement,
                                          const std::string& key) {
@@ -38,6 +59,7 @@ std::string limitText(const std::string& what, const analysis::Limit& limit, con
   std::string text = fmt::format("{} {}", what, limit.key);
   if (limit.minimum) text += fmt::format(" >= {:g}", *limit.minimum);
   if (limit.maximum) text += fmt::format(" <= {:g}", *limit.maximum);
+  if (!std::isfinite(e.value)) return text + " (not known)";
   return text + fmt::format(" (is {:.4g} ± {:.2g})", e.value, e.halfWidth());
 }
 
@@ -48,7 +70,8 @@ std::vector<project::RequirementResult> judge(const project::Project& project, c
   for (const analysis::Requirement& requirement : project.requirements) {
     const std::string& what = requirement.grid.empty() ? requirement.observer : requirement.grid;
     for (const analysis::Limit& limit : requirement.limits)
-      if (const auto e = quantityOf(results, requirement, limit.key))
+      if (const auto e = limit.key == "ra" ? std::optional(colourRenderingOf(project))
+                                           : quantityOf(results, requirement, limit.key))
         verdicts.push_back({limitText(what, limit, *e), verdictOf(*e, limit), what, limit.key, limit.minimum,
                             limit.maximum, *e, requirement.clause});
   }

@@ -8,6 +8,7 @@
 
 #include "core/document.h"
 #include "plot/vtp.h"
+#include "project/summary_table.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -111,6 +112,7 @@ std::vector<std::string> writeResultFiles(const std::string& folder, const Resul
   }
   write(outlineFileName, core::toJson(toJson(outline)));
   write("outline.vtp", outlineVtp(outline));
+  write(project::summaryFileName, project::toSummaryTable(results));
   // Last, so that a folder that has it has everything.
   write(project::resultsFileName, core::toJson(project::toJson(results)));
   return files;

@@ -1,4 +1,4 @@
-// The files of a results folder that `illuminate` writes: grids.json, one CSV and one .vtp per grid, and the scene's
+// The files of a results folder that `illuminate` writes: grids.json, summary.tsv, one CSV and one .vtp per grid, and the scene's
 // outline.
 #pragma once
 

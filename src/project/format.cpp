@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/quantity.h"
+#include "project/requirement_presets.h"
 #include "reflection/shading.h"
 #include "solver/solver.h"
 #include "spectrum/schemes.h"
@@ -92,6 +93,15 @@ const Section& gridSection() {
        {.name = "u", .form = Form::point, .help = "full edge along which values run fastest"},
        {.name = "v", .form = Form::point, .help = "full other edge"},
        {.name = "counts", .form = Form::counts, .help = "points along u and v, at cell centres"},
+       {.name = "spacing",
+        .form = Form::choice,
+        .help =
+            "instead of counts: p = 0.2 * 5^(log10 d) m, d the longer edge (the shorter when it is half of it or less)",
+        .choices = {"EN 12464-1"}},
+       {.name = "border",
+        .form = Form::length,
+        .help = "left free along all four edges, e.g. 0.5 m along walls",
+        .minimum = 0},
        {.name = "points", .form = Form::points, .help = "single points instead of origin, u, v and counts"},
        {.name = "normal", .form = Form::direction, .help = "that the measuring surface faces; default u x v, or up"},
        {.name = "normals", .form = Form::directions, .help = "one for each of points"},
@@ -128,8 +138,18 @@ const Section& viewSection() {
         .help = "height of the picture (orthographic)",
         .minimum = 0,
         .minimumIsAllowed = false},
-       {.name = "width", .form = Form::integer, .help = "pixels; default 640", .minimum = 1, .maximum = mostPixels, .unit = "px"},
-       {.name = "height", .form = Form::integer, .help = "pixels; default 480", .minimum = 1, .maximum = mostPixels, .unit = "px"},
+       {.name = "width",
+        .form = Form::integer,
+        .help = "pixels; default 640",
+        .minimum = 1,
+        .maximum = mostPixels,
+        .unit = "px"},
+       {.name = "height",
+        .form = Form::integer,
+        .help = "pixels; default 480",
+        .minimum = 1,
+        .maximum = mostPixels,
+        .unit = "px"},
        {.name = "projection",
         .form = Form::choice,
         .help = "default perspective",
@@ -159,7 +179,16 @@ const Section& requirementSection() {
        limitKey("max_lx", "largest illuminance"),
        limitKey("u0", "uniformity, smallest by mean"),
        limitKey("ud", "diversity, smallest by largest"),
-       limitKey("ugr", "unified glare rating")}};
+       limitKey("ugr", "unified glare rating"),
+       limitKey("ra", "general colour rendering index of the luminaires' light"),
+       {.name = "preset",
+        .form = Form::choice,
+        .help = "limits of a standard; others given beside it are kept too",
+        .choices = requirementPresetNames()},
+       {.name = "area",
+        .form = Form::choice,
+        .help = "what of the preset the grid is; default task",
+        .choices = requirementAreas()}}};
   return section;
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/quantity.h"
 #include "core/closest_name.h"
+#include "project/requirement_presets.h"
 #include "project/section_reader.h"
 
 namespace goniolux::project {
@@ -23,16 +24,21 @@ void forEach(const core::Value& section, const char* name, Reading& reading, Rea
 }
 
 bool readRegular(SectionReader& section, analysis::Grid& grid) {
-  const auto origin = section.point("origin"), u = section.point("u"), v = section.point("v");
-  const auto counts = section.counts("counts");
+  auto origin = section.point("origin"), u = section.point("u"), v = section.point("v");
+  auto counts = section.counts("counts");
+  const auto spacing = section.choice("spacing");
+  if (spacing && section.has("counts")) {
+    section.refuse("spacing", "grid-form", "give \"counts\" or \"spacing\", not both");
+    return false;
+  }
   for (const char* key : {"origin", "u", "v", "counts"}) {
-    if (section.has(key)) continue;
+    if (section.has(key) || (spacing && std::string(key) == "counts")) continue;
     section.refuse(
         key, "missing-key",
         fmt::format("a grid needs \"origin\", \"u\", \"v\" and \"counts\", or \"points\": \"{}\" is missing", key));
     return false;
   }
-  if (!origin || !u || !v || !counts) return false;
+  if (!origin || !u || !v || (!counts && !spacing)) return false;
   const core::Vec3 area = glm::cross(*u, *v);
   // The sine of the angle between the edges; below a nanoradian the plane has no direction.
   if (!(glm::length(area) > 1e-9 * glm::length(*u) * glm::length(*v))) {
@@ -42,6 +48,18 @@ bool readRegular(SectionReader& section, analysis::Grid& grid) {
   }
   const auto normal = section.direction("normal");
   if (section.has("normal") && !normal) return false;
+  if (const auto border = section.length("border"); border && *border > 0) {
+    const double length = glm::length(*u), width = glm::length(*v);
+    if (2 * *border >= std::min(length, width)) {
+      section.refuse("border", "out-of-range", "the border takes up the whole grid; make it smaller");
+      return false;
+    }
+    *origin += *border / length * *u + *border / width * *v;
+    *u *= 1 - 2 * *border / length;
+    *v *= 1 - 2 * *border / width;
+  }
+  if (section.failed()) return false;
+  if (spacing) counts = en12464Counts(glm::length(*u), glm::length(*v));
   grid.origin = *origin;
   grid.u = *u;
   grid.v = *v;
@@ -56,7 +74,7 @@ bool readRegular(SectionReader& section, analysis::Grid& grid) {
 }
 
 bool readPointList(SectionReader& section, analysis::Grid& grid) {
-  for (const char* key : {"origin", "u", "v", "counts"}) {
+  for (const char* key : {"origin", "u", "v", "counts", "spacing", "border"}) {
     if (!section.has(key)) continue;
     section.refuse(key, "grid-form", fmt::format("a grid of \"points\" has no \"{}\"", key));
     return false;
@@ -123,6 +141,32 @@ void checkTarget(SectionReader& section, const char* key, const std::string& nam
   section.refuse(key, "unknown-name", fmt::format("there is no {} \"{}\"{}", key, name, core::suggestion(name, known)));
 }
 
+/// A standard's limits are a requirement of their own, with the clause; what the project gives beside them another.
+void addPreset(SectionReader& section, const analysis::Requirement& target,
+               std::vector<analysis::Requirement>& requirements) {
+  const auto name = section.choice("preset"), area = section.choice("area");
+  if (section.has("area") && !section.has("preset"))
+    section.refuse("area", "missing-key", "an \"area\" belongs to a \"preset\"");
+  const RequirementPreset* preset = name ? findRequirementPreset(*name) : nullptr;
+  if (!preset || section.failed()) return;
+  analysis::Requirement standard = target;
+  standard.clause = preset->reference();
+  standard.limits.clear();
+  if (target.grid.empty()) {
+    if (preset->ugr) standard.limits.push_back({"ugr", std::nullopt, preset->ugr});
+  } else {
+    standard.limits = presetLimits(*preset, area.value_or("task"));
+  }
+  if (standard.limits.empty()) {
+    section.refuse("preset", "no-limit",
+                   target.grid.empty() ? fmt::format("{} states no glare limit; give a \"grid\"", preset->reference())
+                                       : fmt::format("{} states no limit for the area \"{}\"", preset->reference(),
+                                                     area.value_or("task")));
+    return;
+  }
+  requirements.push_back(std::move(standard));
+}
+
 }  // namespace
 
 std::vector<analysis::Grid> readGrids(const core::Value& value, Reading& reading) {
@@ -164,7 +208,7 @@ std::vector<analysis::Observer> readObservers(const core::Value& value, Reading&
 
 std::vector<analysis::Requirement> readRequirements(const core::Value& value, const std::vector<std::string>& grids,
                                                     const std::vector<std::string>& observers, Reading& reading) {
-  static const std::array<const char*, 5> ofGrids{"mean_lx", "min_lx", "max_lx", "u0", "ud"};
+  static const std::array<const char*, 6> ofGrids{"mean_lx", "min_lx", "max_lx", "u0", "ud", "ra"};
   std::vector<analysis::Requirement> requirements;
   forEach(value, "requirements", reading, [&](const core::Value& entry) {
     SectionReader section(entry, requirementSection(), reading);
@@ -179,7 +223,7 @@ std::vector<analysis::Requirement> readRequirements(const core::Value& value, co
     if (grid) checkTarget(section, "grid", *grid, grids);
     if (observer) checkTarget(section, "observer", *observer, observers);
     for (const auto& [key, limitValue] : entry.object()) {
-      if (key == "grid" || key == "observer") continue;
+      if (key == "grid" || key == "observer" || key == "preset" || key == "area") continue;
       const bool forGrid = std::find(ofGrids.begin(), ofGrids.end(), key) != ofGrids.end();
       if (forGrid != grid.has_value()) {
         reading.diagnostics.error(limitValue.keyPosition(), "unknown-key",
@@ -188,10 +232,11 @@ std::vector<analysis::Requirement> readRequirements(const core::Value& value, co
         requirement.limits.push_back(std::move(*limit));
       }
     }
+    addPreset(section, requirement, requirements);
     if (entry.object().size() == 1) {
       reading.error(entry, "missing-key", "this requirement states no limit; add e.g. \"mean_lx\": { \"min\": 500 }");
     }
-    requirements.push_back(std::move(requirement));
+    if (!requirement.limits.empty()) requirements.push_back(std::move(requirement));
   });
   return requirements;
 }

@@ -45,6 +45,7 @@ constexpr std::array texts = {
     Text{"Minimum illuminance", "Minimale Beleuchtungsstärke"},
     Text{"Maximum illuminance", "Maximale Beleuchtungsstärke"},
     Text{"Unified glare rating UGR", "Blendungsbewertung UGR"},
+    Text{"Colour rendering Ra", "Farbwiedergabe Ra"},
     Text{"Illuminance", "Beleuchtungsstärke"},
     Text{"cylindrical", "zylindrisch"},
     Text{"semi-cylindrical", "halbzylindrisch"},
@@ -215,6 +216,7 @@ std::string limitName(const std::string& key) {
   if (key == "u0") return "Uniformity U₀";
   if (key == "ud") return "Diversity";
   if (key == "ugr") return "Unified glare rating UGR";
+  if (key == "ra") return "Colour rendering Ra";
   return key;
 }
 

@@ -173,6 +173,23 @@ TEST_F(Verify, AnUnwritableFolderOrAProjectThatMayNotBeWrittenLosesNothing) {
   EXPECT_EQ(contentOf(folder_.path() / "projects/a/expected.json"), before);
 }
 
+TEST_F(Verify, AFullDiskIsSaidBaselinesStayAndTheBatchCanGoOn) {
+  write("a");
+  makeBaselines();
+  const std::string before = contentOf(folder_.path() / "projects/a/expected.json");
+  write("a", changed(room, "\"flux\": 1000", "\"flux\": 3000"));
+  // No file may grow beyond 1 KiB: what a disk that is nearly full does to all of them.
+  const std::string command =
+      "trap '' XFSZ; ulimit -f 1; exec '" GONIOLUX_PROGRAM "' verify '" + projects() + "' -o '" + out() + "' --update";
+  const Outcome full = Running({"bash", "-c", command}).wait();
+  EXPECT_EQ(full.exitCode, 3) << full.out << full.err;
+  EXPECT_TRUE(contains(full.out + full.err, "cannot be written")) << full.out << full.err;
+  EXPECT_EQ(contentOf(folder_.path() / "projects/a/expected.json"), before);
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+  EXPECT_EQ(verify({"--resume"}).exitCode, 1) << "with room on the disk the change is found";
+}
+
 TEST_F(Verify, OptionsThatCannotBeMeantAreRefused) {
   write("a");
   const std::vector<std::vector<std::string>> wrong{

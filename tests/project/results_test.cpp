@@ -1,5 +1,7 @@
 #include "project/results.h"
 
+#include "project/summary_table.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +53,16 @@ Results sample() {
   seat.background = {25, 0.5, {}};
   seat.sources = {{"panel[0,0]", 3000, 0.02, 1.5, 0.75}, {"panel[1,0]", 2900, 0.01, 2, 0.25}};
   results.observers.push_back(seat);
-  results.requirements.push_back({"mean of \"work plane\" at least 500 lx", RequirementResult::Verdict::fail});
+  RequirementResult requirement;
+  requirement.text = "mean of \"work plane\" at least 500 lx";
+  requirement.verdict = RequirementResult::Verdict::fail;
+  requirement.of = "work plane";
+  requirement.quantity = "mean_lx";
+  requirement.minimum = 500;
+  requirement.found = results.grids.front().mean;
+  requirement.clause = "EN 12464-1:2021, 34.2";
+  results.requirements.push_back(requirement);
+  results.inputs.push_back({"project.json", std::string(64, 'a')});
   return results;
 }
 
@@ -169,6 +180,17 @@ TEST(FileNames, FollowTheInterfaceDocument) {
   EXPECT_EQ(fileNameFor("Büro"), "büro");
   EXPECT_EQ(fileNameFor(".."), "..-");
   EXPECT_EQ(fileNameFor(""), "-");
+}
+
+TEST(SummaryTable, HasAsManyCellsInEveryLineOfATableAsItsHeadAndNoneBrokenByAName) {
+  Results results = sample();
+  results.grids.front().name = "work\tplane\n2";
+  const std::string table = toSummaryTable(results);
+  EXPECT_NE(table.find("work plane 2\tilluminance\tlx\t400.04\t3.5\t300\t3\t500.123\t5\t0.75\t0.01\n"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("seat 1\tugr\t1\t18.5\t0.2\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\tfail\tEN 12464-1:2021, 34.2\n"), std::string::npos) << table;
 }
 
 }  // namespace

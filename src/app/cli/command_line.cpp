@@ -224,6 +224,14 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     line.action = CommandLine::Action::printVersion;
     return line;
   }
+  if (first == "--man" || first == "--completion" || first == "--verbs") {
+    line.action = first == "--man"     ? CommandLine::Action::printManual
+                  : first == "--verbs" ? CommandLine::Action::printVerbs
+                                       : CommandLine::Action::printCompletion;
+    if (first == "--man" && arguments.size() > 1) line.stage = &stageNamed(arguments[1]);
+    if (first == "--completion") line.shell = arguments.size() > 1 ? arguments[1] : "";
+    return line;
+  }
   if (first == "--help" || first == "-h" || first == "help") {
     if (first == "help" && arguments.size() > 1) line.stage = &stageNamed(arguments[1]);
     return line;

@@ -10,11 +10,12 @@
 namespace goniolux::app {
 
 struct CommandLine {
-  enum class Action { runStage, printHelp, printVersion };
+  enum class Action { runStage, printHelp, printVersion, printManual, printCompletion, printVerbs };
   Action action = Action::runStage;
   const pipeline::Stage* stage = nullptr;  ///< null: help about the whole program
   pipeline::StageRequest request;
-  int threads = 0;  ///< 0 = as many as the machine has
+  std::string shell;  ///< printCompletion: "bash", "zsh" or "fish"
+  int threads = 0;    ///< 0 = as many as the machine has
   bool json = false, quiet = false;
 };
 

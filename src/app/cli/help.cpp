@@ -35,15 +35,11 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return out;
 }
 
-struct Row {
-  std::string name, text;
-};
-
-std::string table(const std::vector<Row>& rows) {
+std::string table(const std::vector<HelpRow>& rows) {
   std::size_t width = 0;
-  for (const Row& row : rows) width = std::max(width, row.name.size());
+  for (const HelpRow& row : rows) width = std::max(width, row.name.size());
   std::string out;
-  for (const Row& row : rows) out += fmt::format("  {:<{}}  {}\n", row.name, width, wrapped(row.text, width + 4));
+  for (const HelpRow& row : rows) out += fmt::format("  {:<{}}  {}\n", row.name, width, wrapped(row.text, width + 4));
   return out;
 }
 
@@ -83,7 +79,7 @@ std::string inputText(const pipeline::Stage& stage) {
   return " " + stage.inputName + (stage.manyInputs ? "..." : "");
 }
 
-Row ownRow(const Parameter& parameter) {
+HelpRow ownRow(const Parameter& parameter) {
   std::string text = parameter.title;
   if (!text.empty() && !parameter.help.empty()) text += "; ";
   text += parameter.help;
@@ -93,7 +89,7 @@ Row ownRow(const Parameter& parameter) {
   return {name, details(parameter, text)};
 }
 
-Row commonRow(const CommonOption& option) {
+HelpRow commonRow(const CommonOption& option) {
   const Parameter& parameter = option.parameter;
   const std::string letter = option.letter ? fmt::format("-{}, ", option.letter) : std::string(4, ' ');
   const std::string value = option.isFlag ? "" : " " + parameter.title;
@@ -102,28 +98,39 @@ Row commonRow(const CommonOption& option) {
 
 }  // namespace
 
+std::vector<HelpRow> ownOptionRows(const pipeline::Stage& stage) {
+  std::vector<HelpRow> rows;
+  for (const Parameter& parameter : stage.options) rows.push_back(ownRow(parameter));
+  return rows;
+}
+
+std::vector<HelpRow> commonOptionRows(const pipeline::Stage& stage) {
+  std::vector<HelpRow> rows;
+  for (const CommonOption& option : commonOptions())
+    if (applies(option, stage)) rows.push_back(commonRow(option));
+  return rows;
+}
+
 std::string programHelp() {
-  std::vector<Row> verbs;
+  std::vector<HelpRow> verbs;
   for (const pipeline::Stage& stage : pipeline::stages())
     verbs.push_back({stage.name + inputText(stage), capitalised(stage.title)});
   return fmt::format(
       "goniolux {}: lighting-design analysis in which every number has an interval that holds\n\n"
       "usage: goniolux VERB INPUT [options]\n\nverbs:\n{}\n"
       "  goniolux VERB --help    describes a verb and its options\n"
-      "  goniolux --version      prints the version\n\n"
+      "  goniolux --version      prints the version\n"
+      "  goniolux --man [VERB]   prints a manual page (roff)\n"
+      "  goniolux --completion SHELL   prints what bash, zsh or fish need to complete verbs and options\n\n"
       "exit codes: 0 done; 1 a requirement failed; 2 bad input or usage, nothing written; 3 could not finish\n",
       GONIOLUX_VERSION, table(verbs));
 }
 
 std::string verbHelp(const pipeline::Stage& stage) {
   std::string required;
-  std::vector<Row> own, common;
-  for (const Parameter& parameter : stage.options) {
+  for (const Parameter& parameter : stage.options)
     if (parameter.required) required += fmt::format(" --{} {}", parameter.key, valueName(parameter));
-    own.push_back(ownRow(parameter));
-  }
-  for (const CommonOption& option : commonOptions())
-    if (applies(option, stage)) common.push_back(commonRow(option));
+  const std::vector<HelpRow> own = ownOptionRows(stage), common = commonOptionRows(stage);
 
   std::string out = fmt::format("usage: goniolux {}{}{} [options]\n\n{}.\n", stage.name, inputText(stage), required,
                                 capitalised(stage.title));

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/completion.h"
 #include "app/cli/help.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/manual.h"
 #include "app/cli/output.h"
 #include "app/cli/terminal_progress.h"
 #include "core/parallel.h"
@@ -36,6 +38,15 @@ int run(const std::vector<std::string>& arguments) {
       return app::exitDone;
     case CommandLine::Action::printVersion:
       app::printResult("goniolux " GONIOLUX_VERSION "\n");
+      return app::exitDone;
+    case CommandLine::Action::printManual:
+      app::printResult(line.stage == nullptr ? app::programManual() : app::verbManual(*line.stage));
+      return app::exitDone;
+    case CommandLine::Action::printCompletion:
+      app::printResult(app::completionFor(line.shell));
+      return app::exitDone;
+    case CommandLine::Action::printVerbs:
+      for (const pipeline::Stage& stage : pipeline::stages()) app::printResult(stage.name + "\n");
       return app::exitDone;
     case CommandLine::Action::runStage:
       break;
