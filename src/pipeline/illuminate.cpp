@@ -62,7 +62,8 @@ class GridStage {
         result.excluded.push_back(i);
         continue;
       }
-      receivers.push_back({grid.points[i] - engine_.world.origin, grid.normals[i], quantity.body, grid.axis});
+      const Vec3 point = engine_.tracer.clearOfCorners(grid.points[i] - engine_.world.origin, grid.normals[i]);
+      receivers.push_back({point, grid.normals[i], quantity.body, grid.axis});
       index.push_back(i);
     }
     if (receivers.empty())

@@ -217,6 +217,20 @@ void Tracer::finishInstanceHit(std::uint32_t instance, std::uint32_t triangle, H
   hit.position -= hit.normal * glm::dot(hit.position - a, hit.normal);
 }
 
+core::Vec3 Tracer::clearOfCorners(Vec3 point, const Vec3& normal) const {
+  Vec3 x, y;
+  core::perpendiculars(normal, x, y);
+  constexpr int directions = 8;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2 * core::pi * i / directions;
+    const Vec3 direction = x * std::cos(angle) + y * std::sin(angle);
+    Hit hit;
+    if (intersect(leave(point, normal), direction, hit) && hit.distance < 2 * offset_)
+      point -= direction * (2 * offset_ - hit.distance);
+  }
+  return point;
+}
+
 bool Tracer::occluded(const Vec3& origin, const Vec3& direction, double distance) const {
   if (distance <= 0) return false;
   RTCRay ray = makeRay(origin, direction, distance);

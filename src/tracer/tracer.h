@@ -38,6 +38,9 @@ class Tracer {
   [[nodiscard]] core::Vec3 leave(const core::Vec3& point, const core::Vec3& normal) const {
     return point + normal * offset_;
   }
+  /// `point` on a surface with this normal, moved along it until no other surface is nearer than two offsets: in a
+  /// corner single precision would put starts beyond the next wall.
+  [[nodiscard]] core::Vec3 clearOfCorners(core::Vec3 point, const core::Vec3& normal) const;
   /// How far before an aimed-at point on a surface a shadow ray ends: the rounding of both ends.
   [[nodiscard]] double slack() const { return 2 * offset_; }
 

@@ -54,7 +54,7 @@ class DesignersDay : public StudioFixture {
   void calculate() {
     ASSERT_TRUE(wait([this] { return !window_->jobs().isBusy(); }));
     ASSERT_NE(window_->calculate(), nullptr);
-    ASSERT_TRUE(waitForJobs(100000));
+    ASSERT_TRUE(waitForJobs(240000));
     ASSERT_TRUE(wait([this] { return window_->currentResults() != nullptr; }));
     ASSERT_TRUE(waitForJobs());
   }
@@ -172,7 +172,7 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   ASSERT_TRUE(waitForJobs());
   ASSERT_NE(window_->render("corner"), nullptr);
   gui::PicturePage& page = window_->picturePage();
-  ASSERT_TRUE(wait([&] { return page.outcome().isFinal; }, 100000));
+  ASSERT_TRUE(wait([&] { return page.outcome().isFinal; }, 240000));
   ASSERT_TRUE(wait([&] { return !page.canvas().picture().isNull(); }));
   QTest::qWait(300);
   QTest::mouseClick(&page.canvas(), Qt::LeftButton, Qt::NoModifier, page.canvas().toWidget({100, 100}));

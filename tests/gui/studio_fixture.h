@@ -38,7 +38,7 @@ class StudioFixture : public testing::Test {
   }
 
   /// Waits until the condition holds; a failure names it.
-  static bool wait(const std::function<bool()>& condition, int milliseconds = 20000) {
+  static bool wait(const std::function<bool()>& condition, int milliseconds = 60000) {
     return QTest::qWaitFor(condition, milliseconds);
   }
   /// The engine has read the text as it is now.
