@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* keyAttribute = "layerKey";
-constexpr const char* surfaces = "emitting-surfaces";
 
 // Identifies what a layer depends on beside its group and view.
 std::string layerKey(const project::Project& project, const RenderOptions& options) {
@@ -28,20 +27,6 @@ std::string layerKey(const project::Project& project, const RenderOptions& optio
   if (options.channels)
     text += fmt::format(" {} {} {}", options.channels->from_nm, options.channels->to_nm, options.channels->step_nm);
   return core::sha256(text);
-}
-
-bool hasEmittingSurfaces(const project::Project& project) {
-  const auto& materials = project.environment.materials;
-  return std::any_of(materials.begin(), materials.end(),
-                     [](const material::Material& each) { return each.emission && each.emission->exitance_lm_m2 > 0; });
-}
-
-// The project with one layer's light alone: a group's luminaires, or the surfaces that emit.
-project::Project onlyLayer(const project::Project& project, const std::string& layer, bool isSurfaces) {
-  project::Project alone = onlyGroup(project, isSurfaces ? std::string(1, '\0') : layer);
-  if (!isSurfaces)
-    for (material::Material& each : alone.environment.materials) each.emission.reset();
-  return alone;
 }
 
 std::optional<image::XyzImage> kept(const std::string& path, const std::string& key) {
@@ -61,17 +46,14 @@ std::optional<image::XyzImage> kept(const std::string& path, const std::string& 
 StageReport renderLayers(const project::Project& project, const std::vector<const scene::View*>& views,
                          const std::string& folder, const RenderOptions& options, core::ProgressSink& progress) {
   const std::map<std::string, double> dimming = dimmingOf(project);
-  std::vector<std::string> layers = groupsOf(project);
-  const std::size_t groups = layers.size();
-  if (hasEmittingSurfaces(project)) layers.emplace_back(surfaces);
+  const std::vector<std::string> layers = groupsOf(project);
   const std::string key = layerKey(project, options);
   StageReport report;
   report.warnings = project.warnings;
   std::map<std::string, std::map<std::string, image::XyzImage>> images;  // view, layer
   std::size_t traced = 0;
   core::Value list;
-  for (std::size_t k = 0; k < layers.size(); ++k) {
-    const std::string& layer = layers[k];
+  for (const std::string& layer : layers) {
     const std::string layerFolder = (fs::path(folder) / "layers" / project::fileNameFor(layer)).string();
     std::vector<const scene::View*> missing;
     for (const scene::View* view : views) {
@@ -83,7 +65,7 @@ StageReport renderLayers(const project::Project& project, const std::vector<cons
     }
     if (missing.empty()) continue;
     progress.note(fmt::format("layer \"{}\" is rendered", layer));
-    const project::Project alone = onlyLayer(project, layer, k >= groups);
+    const project::Project alone = onlyGroup(project, layer);
     const Engine engine(alone, true);
     RenderOptions own = options;
     own.attributes[keyAttribute] = key;

@@ -105,13 +105,19 @@ std::vector<std::string> groupsOf(const project::Project& project) {
   std::vector<std::string> groups;
   for (const scene::Luminaire& luminaire : project.environment.luminaires)
     if (std::find(groups.begin(), groups.end(), luminaire.group) == groups.end()) groups.push_back(luminaire.group);
+  const auto emits = [](const material::Material& each) { return each.emission && each.emission->exitance_lm_m2 > 0; };
+  const auto& materials = project.environment.materials;
+  if (std::any_of(materials.begin(), materials.end(), emits)) groups.emplace_back(emittingSurfaces);
   return groups;
 }
 
 project::Project onlyGroup(const project::Project& project, const std::string& group) {
   project::Project alone = project;
   for (scene::Luminaire& luminaire : alone.environment.luminaires) luminaire.dimming = luminaire.group == group ? 1 : 0;
+  if (group != emittingSurfaces)
+    for (material::Material& each : alone.environment.materials) each.emission.reset();
   alone.requirements.clear();
+  alone.observers.clear();
   // Groups draw different random numbers: their errors are independent, as superposed() takes them to be.
   std::uint64_t key = core::mix(project.settings.seed);
   for (const char c : group) key = core::combine(key, static_cast<unsigned char>(c));
@@ -136,7 +142,7 @@ std::map<std::string, double> dimmingOf(const project::Project& project) {
 std::string groupKey(const project::Project& project) {
   core::Diagnostics ignored;
   const Value document = core::parseJson(core::readFile(project.file), project.file, ignored);
-  std::string text = core::toJson(withoutLevels(document));
+  std::string text = "2 " + core::toJson(withoutLevels(document));  // 2: emitting surfaces are a group of their own
   for (std::size_t i = 1; i < project.inputs.size(); ++i) text += project.inputs[i].sha256 + "\n";
   const project::Settings& s = project.settings;
   text += fmt::format("{} {} {} {} {} {} {} {} {}", s.accuracy.grid, s.accuracy.u0, s.accuracy.confidence, s.solver,

@@ -12,10 +12,14 @@
 
 namespace goniolux::pipeline {
 
-/// The project's groups in the order of their first luminaire.
+/// The group of the surfaces that emit, which no scene dims.
+inline constexpr const char* emittingSurfaces = "emitting-surfaces";
+
+/// The project's groups in the order of their first luminaire; at the end emittingSurfaces if there are any.
 std::vector<std::string> groupsOf(const project::Project& project);
 
-/// The project with only this group lit, its luminaires at their full level (dimming 1).
+/// The project with only this group lit, its luminaires at their full level (dimming 1). Without observers and
+/// requirements: glare does not add up over groups.
 project::Project onlyGroup(const project::Project& project, const std::string& group);
 
 /// Dimming factors of a group's luminaires as the project states them; superposition needs one per group. InputError

@@ -66,9 +66,11 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
 
   // The project as it stands, then its scenes.
   std::vector<std::pair<std::string, std::map<std::string, double>>> scenes{{"", dimming}};
+  scenes.front().second.try_emplace(emittingSurfaces, 1.0);
   for (const project::LightingScene& scene : project.scenes) {
     std::map<std::string, double> levels;
     for (const auto& [group, level] : scene.groups) levels[group] = level * dimming.at(group);
+    levels.try_emplace(emittingSurfaces, 1.0);
     scenes.emplace_back(scene.name, levels);
   }
   Value::Array documents;
@@ -80,6 +82,10 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
     results.projectHash = project.hash;
     results.inputs = project.inputs;
     results.requirements = judge(project, results);
+    if (!project.observers.empty())
+      results.leftOut.emplace_back(
+          "glare ratings: they do not add up over groups; calculate a scene by "
+          "illuminate --scene");
     if (name.empty()) report.verdictFailed = anyFailed(results);
     const std::string target =
         name.empty() ? folder : (fs::path(folder) / "scenes" / project::fileNameFor(name)).string();

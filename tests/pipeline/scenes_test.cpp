@@ -71,6 +71,26 @@ TEST(Scenes, AreSumsOfTheirGroupsAndALevelNeedsNoNewTrace) {
   EXPECT_EQ(runScenes(folder.path().string(), report).find("groups_calculated")->number(), 2);
 }
 
+// A surface that emits is lit once, not once with every group; glare ratings are not added up.
+TEST(Scenes, CountEmittingSurfacesOnce) {
+  const test::TemporaryFolder folder;
+  std::string text = projectText("0.5", "0.25");
+  text.replace(text.find("\"diffuse\": 0.0 }"), 16,
+               "\"diffuse\": 0.0 }, \"glow\": { \"model\": \"lambert\", \"diffuse\": 0, \"exitance_lm_m2\": 100 }");
+  text.replace(text.find("\"material\": \"black\""), 19, "\"materials\": { \"*\": \"black\", \"ceiling\": \"glow\" }");
+  text.replace(text.find("\"grids\""), 7,
+               "\"observers\": [ { \"name\": \"o\", \"eye\": [0,0,1], \"direction\": [1,0,0] } ], \"grids\"");
+  folder.write("project.json", text);
+  StageReport report;
+  const Value scenes = runScenes(folder.path().string(), report);
+  EXPECT_EQ(scenes.find("groups_calculated")->number(), 3);
+  EXPECT_TRUE(scenes.find("scenes")->array()[0].find("observers")->array().empty());
+  // The ceiling 18 m x 18 m, 3.5 m above the point in its middle: exitance times the form factor of its four quarters.
+  const double a = 9 / 3.5, s = std::sqrt(1 + a * a);
+  const double ceiling = 100 * 4 * (2 * a / s * std::atan(a / s)) / (2 * core::pi);
+  EXPECT_NEAR(valueOf(scenes, 2, 0), lit(2513.2741229, 1) + ceiling, 0.02 * ceiling);
+}
+
 TEST(Superposition, AddsStatisticsInSquaresAndBoundsInFull) {
   project::GridResult grid;
   grid.points = {{0, 0, 0}, {1, 0, 0}};
