@@ -1,5 +1,5 @@
-// The files of a results folder that `illuminate` writes: grids.json, summary.tsv, one CSV and one .vtp per grid, and the scene's
-// outline.
+// The files of a results folder that `illuminate` writes: grids.json, summary.tsv, one CSV and one .vtp per grid, and
+// the scene's outline.
 #pragma once
 
 #include <string>

@@ -20,8 +20,11 @@ Key openingAxis() {
 Section materialSection(std::vector<Key> parameters) {
   std::vector<Key> keys{{.name = "model", .form = Form::choice, .help = "reflection model", .required = true}};
   keys.insert(keys.end(), parameters.begin(), parameters.end());
-  keys.push_back(
-      {.name = "exitance_lm_m2", .form = Form::number, .help = "diffuse light that the surface emits", .minimum = 0, .unit = "lm/m²"});
+  keys.push_back({.name = "exitance_lm_m2",
+                  .form = Form::number,
+                  .help = "diffuse light that the surface emits",
+                  .minimum = 0,
+                  .unit = "lm/m²"});
   keys.push_back({.name = "spectrum", .form = Form::source, .help = "of the emission", .minimum = 0});
   return {"a material", std::move(keys)};
 }

@@ -65,7 +65,7 @@ TEST(Mapping, ReinhardIsItsEquation) {
 
 // Adapted to the same luminance there and here, nothing changes: the two brightness functions are one.
 TEST(Mapping, TumblinRushmeierIsTheIdentityForEqualAdaptation) {
-  const double white = 100;  // display adaptation: 20 cd/m2
+  const double white = 100;                    // display adaptation: 20 cd/m2
   const image::XyzImage image = ramp(2, 200);  // log-average 20
   const ToneMap map = made("tumblin-rushmeier:contrast=25", image, white);
   EXPECT_NEAR(white * shown(map, 37), 37, 0.05);

@@ -60,8 +60,7 @@ TEST(RequirementPresets, AreSoundData) {
     EXPECT_FALSE(presetLimits(preset, "task").empty()) << preset.name;
     const double ugr = preset.ugr.value_or(19);
     EXPECT_TRUE(ugr >= 13 && ugr <= 28) << preset.name;  // the scale of CIE 117
-    for (const auto& share : {preset.u0, preset.ud})
-      EXPECT_TRUE(!share || (*share > 0 && *share < 1)) << preset.name;
+    for (const auto& share : {preset.u0, preset.ud}) EXPECT_TRUE(!share || (*share > 0 && *share < 1)) << preset.name;
   }
 }
 

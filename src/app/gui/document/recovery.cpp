@@ -24,7 +24,8 @@ QString Recovery::folder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery";
 }
 
-Recovery::Recovery(Document& document, QObject* parent) : QObject(parent), document_(document), worker_(std::make_unique<Worker>("recovery")) {
+Recovery::Recovery(Document& document, QObject* parent)
+    : QObject(parent), document_(document), worker_(std::make_unique<Worker>("recovery")) {
   // Not restarted by every change: someone who types without a pause is saved, too.
   wait_.setSingleShot(true);
   wait_.setInterval(everyMilliseconds);
