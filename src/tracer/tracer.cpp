@@ -225,8 +225,13 @@ core::Vec3 Tracer::clearOfCorners(Vec3 point, const Vec3& normal) const {
     const double angle = 2 * core::pi * i / directions;
     const Vec3 direction = x * std::cos(angle) + y * std::sin(angle);
     Hit hit;
-    if (intersect(leave(point, normal), direction, hit) && hit.distance < 2 * offset_)
-      point -= direction * (2 * offset_ - hit.distance);
+    if (!intersect(leave(point, normal), direction, hit) || hit.distance > 4 * offset_) continue;
+    // Along that wall's normal, so that no step leads into a third wall; and within the point's own surface.
+    const Vec3 away = glm::dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal;
+    const double gap = -hit.distance * glm::dot(direction, away);
+    const Vec3 aside = away - normal * glm::dot(normal, away);
+    const double sine = glm::length(aside);
+    if (gap < 2 * offset_ && sine > 0.01) point += aside * ((2 * offset_ - gap) / (sine * sine));
   }
   return point;
 }
