@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -41,11 +40,6 @@ std::uint32_t netSize(double samples) {
   return static_cast<std::uint32_t>(std::ceil(wanted / step) * step);
 }
 
-/// Wall clock, s.
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 class GridRun {
  public:
   GridRun(const solver::Solver& solver, const Quantity& quantity, const std::vector<solver::Receiver>& receivers,
@@ -76,7 +70,7 @@ class GridRun {
   /// Fresh replicates of the points named. False when it was interrupted: then nothing has changed.
   bool round(const std::vector<std::size_t>& points, core::ProgressSink& progress) {
     ++round_;
-    const double start = now();
+    const double start = core::wallSeconds();
     Replicates fresh(replicateCount, std::vector<double>(points.size()));
     core::parallelFor(points.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t j = begin; j < end && !progress.cancelled(); ++j) {
@@ -91,7 +85,7 @@ class GridRun {
     if (progress.cancelled()) return false;
     double taken = 0;
     for (const std::size_t i : points) taken += samples_[i];
-    perSecond_ = taken / std::max(now() - start, 1e-4);
+    perSecond_ = taken / std::max(core::wallSeconds() - start, 1e-4);
     for (const std::size_t i : points) used_[i] = samples_[i];
     for (std::size_t j = 0; j < points.size(); ++j)
       for (std::size_t r = 0; r < replicateCount; ++r) {
@@ -348,8 +342,8 @@ GridEstimate estimateGrid(const solver::Solver& solver, const Quantity& quantity
                           const std::vector<solver::Receiver>& receivers, std::uint64_t key,
                           const GridAccuracy& accuracy, const EffortLimit& limit, core::ProgressSink& progress,
                           const std::string& task, const GridObserver& partial) {
-  const double start = now();
-  const auto seconds = [&] { return now() - start; };
+  const double start = core::wallSeconds();
+  const auto seconds = [&] { return core::wallSeconds() - start; };
 
   GridRun run(solver, quantity, receivers, key, accuracy);
   progress.progress(task, 0, "looking at the light that each point sees");

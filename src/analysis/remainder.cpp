@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -82,10 +81,9 @@ Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quanti
   };
 
   const double quantile = core::studentQuantile(replicateCount - 1, confidence);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = core::wallSeconds();
   const Round pilot = round(pilotKey, pilotPaths);
-  const double perPath =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / pilotPaths + 1e-9;
+  const double perPath = (core::wallSeconds() - start) / pilotPaths + 1e-9;
   const core::ReplicateMean first = core::replicateMean(pilot.missed);
   const double ratio = quantile * first.standardError / std::max(allowed, 1e-300);
   const double most = std::min(1.0 * mostPaths, timeShare * secondsLeft / perPath);

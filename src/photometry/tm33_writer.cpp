@@ -3,33 +3,14 @@
 #include <array>
 #include <utility>
 
+#include "core/markup.h"
 #include "photometry/writers.h"
 
 namespace goniolux::photometry {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
-
 std::string element(const char* indent, const char* name, const std::string& content) {
-  return fmt::format("{}<{}>{}</{}>\n", indent, name, escaped(content), name);
+  return fmt::format("{}<{}>{}</{}>\n", indent, name, core::escapedMarkup(content), name);
 }
 
 std::string headerText(const PhotometricFile& file) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -159,11 +158,10 @@ StageReport illuminate(const StageRequest& request, core::ProgressSink& progress
 
 project::Results calculateGrids(const project::Project& project, const Engine& engine, core::ProgressSink& progress,
                                 const GridResultObserver& partial) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const double start = core::wallSeconds();
   const double cpuAtStart = core::processCpuSeconds();
   const std::uint64_t raysAtStart = engine.solver->rays();
-  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto elapsed = [&] { return core::wallSeconds() - start; };
 
   project::Results results;
   results.project = project.name;
@@ -231,11 +229,8 @@ std::string resultsText(const project::Results& results) {
     }
   }
   for (const project::RequirementResult& requirement : results.requirements) {
-    using Verdict = project::RequirementResult::Verdict;
-    const char* verdict = requirement.verdict == Verdict::pass   ? "pass"
-                          : requirement.verdict == Verdict::fail ? "FAIL"
-                                                                 : "undecided";
-    text += fmt::format("  requirement {}: {}\n", requirement.text, verdict);
+    const bool failed = requirement.verdict == project::RequirementResult::Verdict::fail;
+    text += fmt::format("  requirement {}: {}\n", requirement.text, failed ? "FAIL" : wordFor(requirement.verdict));
   }
   if (!results.reached) text += fmt::format("  the asked accuracy was not reached: {}\n", results.reachedText);
   for (const std::string& sentence : results.leftOut) text += fmt::format("  left out: {}\n", sentence);

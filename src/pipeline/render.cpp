@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <limits>
 
@@ -118,7 +117,7 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
                           const std::string& folder, double secondsLeft, core::ProgressSink& progress,
                           const viewing::ImageObserver& partial, const RenderOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = core::wallSeconds();
   const double cpuAtStart = core::processCpuSeconds();
   const std::uint64_t raysAtStart = engine.solver->rays();
   const auto& settings = project.settings;
@@ -155,7 +154,7 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
   done.samples = estimate.samples;
   done.width = view.width;
   done.height = view.height;
-  done.wallTime_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  done.wallTime_s = core::wallSeconds() - start;
   done.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
   done.rays = engine.solver->rays() - raysAtStart;
   return done;

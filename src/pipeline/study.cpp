@@ -8,13 +8,17 @@
 #include <filesystem>
 #include <map>
 
+#include "analysis/grid_estimate.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/sha256.h"
+#include "core/statistics.h"
 #include "pipeline/batch.h"
 #include "pipeline/engine.h"
 #include "pipeline/illuminate.h"
 #include "pipeline/plot.h"
 #include "pipeline/stages.h"
+#include "project/settings_reader.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -30,19 +34,20 @@ constexpr double mostGrowth = 16;                // of a run's time, from one ru
 constexpr const char* runsFile = "study.jsonl";  // one line per run that is done
 
 /// Everything that a kept result depends on.
-std::string keyOf(const project::Project& project) {
-  return project.hash + " " + programVersion();
+std::string keyOf(const project::Project& project, const std::string& lightingScene) {
+  return core::sha256(project.hash + programVersion() + lightingScene +
+                      core::toJson(project::settingsDocument(project.settings)));
 }
 
-StudyReference makeReference(const project::Project& project, const std::string& file, double seconds,
-                             core::ProgressSink& progress) {
+// The reference's document says `key` where results have their project's hash.
+StudyReference makeReference(const project::Project& project, const std::string& key, const std::string& file,
+                             double seconds, core::ProgressSink& progress) {
   StudyReference reference;
   bool known = false;
   if (fs::exists(file)) {
     try {
       reference.results = project::readResults(file);
-      known = reference.results.projectHash == project.hash && reference.results.programVersion == programVersion() &&
-              reference.results.grids.size() == project.grids.size();
+      known = reference.results.projectHash == key && reference.results.grids.size() == project.grids.size();
     } catch (const core::InputError&) {
       known = false;  // damaged: made again
     }
@@ -57,14 +62,15 @@ StudyReference makeReference(const project::Project& project, const std::string&
     own.requirements.clear();
     const Engine engine(own, false);
     reference.results = calculateGrids(own, engine, progress);
+    reference.results.projectHash = key;
     if (!progress.cancelled()) core::writeFile(file, core::toJson(project::toJson(reference.results)));
   }
+  const double quantile = core::studentQuantile(analysis::replicateCount - 1, reference.results.confidence);
   double squares = 0, count = 0;
   for (const project::GridResult& grid : reference.results.grids)
     for (std::size_t i = 0; i < grid.values.size(); ++i) {
       if (!std::isfinite(grid.values[i]) || !(grid.values[i] > 0)) continue;
-      const double relative =
-          grid.halfWidths[i] / std::max(grid.values[i], 0.1 * grid.mean.value) / 2.13;  // t, 15 d.o.f.
+      const double relative = grid.halfWidths[i] / std::max(grid.values[i], 0.1 * grid.mean.value) / quantile;
       squares += relative * relative;
       ++count;
     }
@@ -72,25 +78,25 @@ StudyReference makeReference(const project::Project& project, const std::string&
   return reference;
 }
 
+bool same(const StudySetting& a, const StudySetting& b) {
+  return a.line == b.line && a.solver == b.solver && a.accuracy == b.accuracy && a.spectral == b.spectral;
+}
+
 std::vector<StudySetting> settingsOf(const project::Project& project, const planner::Plan& plan) {
-  std::vector<StudySetting> settings;
-  // The cheapest method of each rung first: what time is left over goes to the finest rungs.
+  // First what `auto` does, then all methods of a coarse rung before any of a finer one: what is left out for want of
+  // time are the finest.
+  const StudySetting chosen{plan.solver, plan.solver, project.settings.accuracy.grid, "auto"};
+  std::vector<StudySetting> settings{chosen};
   for (const double accuracy : ladder)
     for (const solver::SolverType& type : solver::solverTypes()) {
-      const bool only = type.name == "tree" && accuracy != ladder[1];
-      if (!only) settings.push_back({type.name, type.name, accuracy, "auto"});
+      if (type.name == "tree" && accuracy != ladder[1]) continue;  // its error does not depend on it
+      const StudySetting setting{type.name, type.name, accuracy, "auto"};
+      if (!same(setting, chosen)) settings.push_back(setting);
     }
   if (plan.quadrature.wavelengths.size() > 1)
     for (const char* scheme : {"xyz:3", "uniform:3", "uniform:9", "uniform:31"})
       settings.push_back({"wavelengths", plan.solver, 0.01, scheme});
-  const double asked = project.settings.accuracy.grid;
-  if (std::find(std::begin(ladder), std::end(ladder), asked) == std::end(ladder))
-    settings.push_back({plan.solver, plan.solver, asked, "auto"});
   return settings;
-}
-
-bool same(const StudySetting& a, const StudySetting& b) {
-  return a.line == b.line && a.solver == b.solver && a.accuracy == b.accuracy && a.spectral == b.spectral;
 }
 
 /// Runs that are kept from a study of the same project by the same program.
@@ -138,12 +144,13 @@ struct ProjectStudy {
   std::string path, name;
   std::vector<StudyRun> runs;
   StudyReference reference;
+  std::string chosen;       ///< the solver that the planner takes
   std::size_t leftOut = 0;  ///< finer runs that do not fit into the time
   std::string trouble;      ///< of a project of several that cannot be studied
 };
 
-ProjectStudy studyProject(const project::Project& project, const std::string& folder, double time,
-                          core::ProgressSink& progress, core::Diagnostics& warnings) {
+ProjectStudy studyProject(const project::Project& project, const std::string& lightingScene, const std::string& folder,
+                          double time, core::ProgressSink& progress, core::Diagnostics& warnings) {
   ProjectStudy study;
   study.path = project.folder;
   study.name = project.name;
@@ -153,10 +160,10 @@ ProjectStudy studyProject(const project::Project& project, const std::string& fo
   const double start = core::wallSeconds();
   const auto elapsed = [&] { return core::wallSeconds() - start; };
   fs::create_directories(folder);
-  const std::string kept = (fs::path(folder) / runsFile).string(), key = keyOf(project);
+  const std::string kept = (fs::path(folder) / runsFile).string(), key = keyOf(project, lightingScene);
   progress.progress(project.name, 0, "reference: a long unbiased run");
   study.reference =
-      makeReference(project, (fs::path(folder) / "reference.json").string(), referenceShare * time, progress);
+      makeReference(project, key, (fs::path(folder) / "reference.json").string(), referenceShare * time, progress);
   if (progress.cancelled()) return study;
   if (!(study.reference.noise < coarsestReference))
     warnings.warning({project.file, 0, 0}, "coarse-reference",
@@ -164,6 +171,7 @@ ProjectStudy studyProject(const project::Project& project, const std::string& fo
                                  100 * study.reference.noise));
 
   const planner::Plan plan = Engine(project, false).plan;
+  study.chosen = plan.solver;
   const std::vector<StudySetting> settings = settingsOf(project, plan);
   const std::vector<StudyRun> known = keptRuns(kept, key);
   std::string lines = fs::exists(kept) ? core::readFile(kept) : "";
@@ -189,8 +197,7 @@ ProjectStudy studyProject(const project::Project& project, const std::string& fo
     }
     StudyRun run = runSetting(project, setting, study.reference, core::combine(project.settings.seed, i + 1), progress);
     if (progress.cancelled()) break;
-    run.isAuto = setting.line != "wavelengths" && setting.solver == plan.solver &&
-                 setting.accuracy == project.settings.accuracy.grid;
+    run.isAuto = i == 0;
     study.runs.push_back(run);
     last[setting.line] = run;
     core::Value line = toJson(run);
@@ -228,6 +235,7 @@ core::Value studyJson(const ProjectStudy& study) {
   json.set("path", study.path);
   json.set("project", study.name);
   json.set("reference_noise", study.reference.noise);
+  json.set("auto", study.chosen);
   json.set("runs", std::move(list));
   if (!study.trouble.empty()) json.set("trouble", study.trouble);
   return json;
@@ -251,7 +259,8 @@ StageReport study(const StageRequest& request, core::ProgressSink& progress) {
       const std::string folder = several
                                      ? (fs::path(request.common.output.value_or("study")) / name).string()
                                      : request.common.output.value_or((fs::path(project.folder) / "study").string());
-      studies.push_back(studyProject(project, folder, time, progress, report.warnings));
+      studies.push_back(
+          studyProject(project, request.common.scene.value_or(""), folder, time, progress, report.warnings));
       studies.back().path = path;
       writeStudy(studies.back(), folder, report);
       report.text += studyText(studies.back());
@@ -270,7 +279,7 @@ StageReport study(const StageRequest& request, core::ProgressSink& progress) {
     const std::string page = (fs::path(request.common.output.value_or("study")) / "README.md").string();
     std::vector<StudyPageEntry> entries;
     for (const ProjectStudy& each : studies)
-      entries.push_back({each.path, each.name, project::fileNameFor(each.path), each.trouble, &each.runs,
+      entries.push_back({each.path, each.name, project::fileNameFor(each.path), each.trouble, each.chosen, &each.runs,
                          each.reference.noise, each.leftOut});
     core::writeFile(page, studyPage(entries, time));
     report.files.push_back(page);

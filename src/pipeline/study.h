@@ -60,6 +60,7 @@ std::vector<const StudyRun*> paretoFront(const std::vector<StudyRun>& runs);
 struct StudyPageEntry {
   std::string path, name, folder;  ///< folder: of its pictures, as seen from the page
   std::string trouble;
+  std::string chosen;  ///< the solver that the planner takes
   const std::vector<StudyRun>* runs = nullptr;
   double noise = 0;
   std::size_t leftOut = 0;

@@ -63,14 +63,13 @@ std::string studyPage(const std::vector<StudyPageEntry>& entries, double time_s)
       continue;
     }
     std::vector<std::string> lines;
-    std::string chosen;
     for (const StudyRun& run : *entry.runs) {
       if (run.setting.line != "wavelengths" && std::find(lines.begin(), lines.end(), run.setting.line) == lines.end())
         lines.push_back(run.setting.line);
-      if (run.isAuto) chosen = run.setting.line;
     }
     for (const std::string& line : lines) {
-      page += fmt::format("| [{}](#{}) | {}{} |", entry.name, entry.folder, line, line == chosen ? " (`auto`)" : "");
+      page +=
+          fmt::format("| [{}](#{}) | {}{} |", entry.name, entry.folder, line, line == entry.chosen ? " (`auto`)" : "");
       for (const double level : levels) {
         double best = 0;
         for (const std::string& other : lines)

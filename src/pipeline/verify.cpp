@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <set>
 
@@ -77,7 +76,7 @@ class Batch {
  public:
   Batch(const StageRequest& request, core::ProgressSink& progress)
       : options_(optionsOf(request)), seed_(request.common.seed), progress_(progress) {
-    began_ = Clock::now();
+    began_ = core::wallSeconds();
     program_ = findHelper("goniolux", "GONIOLUX_PROGRAM");
     if (program_.empty())
       throw core::RunError("the program goniolux is not installed beside this one; set GONIOLUX_PROGRAM to its path");
@@ -127,9 +126,7 @@ class Batch {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+  [[nodiscard]] double seconds() const { return core::wallSeconds() - began_; }
 
   /// The values of the whole batch share the false alarms, whatever shard or resumed run compares them.
   void readBaselineOf(BatchProject& project) {
@@ -363,7 +360,7 @@ class Batch {
   VerifyOptions options_;
   std::optional<std::uint64_t> seed_;
   core::ProgressSink& progress_;
-  Clock::time_point began_;
+  double began_ = 0;
   std::string program_, programHash_;
   BatchSummary batch_;
 };

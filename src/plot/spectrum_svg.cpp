@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/markup.h"
 #include "spectrum/cie_data.h"
 
 namespace goniolux::plot {
@@ -20,23 +21,6 @@ double xOf(double wavelength) {
 }
 double yOf(double value) {
   return height - bottom - value * (height - top - bottom);
-}
-
-// Letters that mean something to XML.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
 }
 
 // A wavelength's colour, drawn to the sRGB gamut by adding white, dimmed at the ends of the spectrum.
@@ -136,9 +120,9 @@ std::string spectrumSvg(const SpectrumPlot& plot) {
     fmt::format_to(out, "<stop offset='{:.4f}' stop-color='{}'/>\n", (w - from) / (to - from), colourOf(w));
   svg += "</linearGradient></defs>\n";
   fmt::format_to(out, "<text x='{:.1f}' y='32' font-size='18' font-weight='bold'>{}</text>\n", left,
-                 escaped(plot.title));
+                 core::escapedMarkup(plot.title));
   std::string facts;
-  for (const std::string& fact : plot.facts) facts += (facts.empty() ? "" : "   ·   ") + escaped(fact);
+  for (const std::string& fact : plot.facts) facts += (facts.empty() ? "" : "   ·   ") + core::escapedMarkup(fact);
   fmt::format_to(out, "<text x='{:.1f}' y='54'>{}</text>\n", left, facts);
   drawAxes(svg);
   const auto curve = curveOf(plot.source);

@@ -6,35 +6,13 @@
 #include <cassert>
 #include <string_view>
 
+#include "core/markup.h"
 #include "plot/base64.h"
 
 namespace goniolux::plot {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file says LittleEndian");
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 /// An inline binary array: its length in bytes as one UInt64, then the bytes, together in base64.
 template <typename T>
@@ -43,7 +21,7 @@ std::string dataArray(const char* type, const std::string& name, int components,
   std::string bytes(reinterpret_cast<const char*>(&length), sizeof length);
   bytes.append(reinterpret_cast<const char*>(values.data()), length);
   return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}</DataArray>\n",
-                     type, escaped(name), components, base64(bytes));
+                     type, core::escapedMarkup(name), components, base64(bytes));
 }
 
 std::string cells(const char* element, const std::vector<std::vector<std::int64_t>>& list) {
@@ -64,7 +42,7 @@ std::string vtpOf(const PolyData& data) {
   for (const core::Vec3& p : data.points) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
 
   std::string comment;  // "--" must not stand in an XML comment
-  for (const char c : escaped(data.comment)) {
+  for (const char c : core::escapedMarkup(data.comment)) {
     if (c == '-' && comment.ends_with('-')) comment += ' ';
     comment += c;
   }
@@ -76,7 +54,7 @@ std::string vtpOf(const PolyData& data) {
       data.points.size(), data.vertices.size(), data.lines.size(), data.polygons.size());
   xml += "<Points>\n" + dataArray("Float64", "Points", 3, coordinates) + "</Points>\n";
   if (!data.pointData.empty()) {
-    xml += fmt::format("<PointData Scalars=\"{}\">\n", escaped(data.pointData.front().name));
+    xml += fmt::format("<PointData Scalars=\"{}\">\n", core::escapedMarkup(data.pointData.front().name));
     for (const PolyData::Array& array : data.pointData) {
       assert(array.values.size() == data.points.size());
       xml += dataArray("Float64", array.name, 1, array.values);

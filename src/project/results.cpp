@@ -70,23 +70,6 @@ Value toJson(const GridResult& grid) {
   return json;
 }
 
-const char* verdictText(RequirementResult::Verdict verdict) {
-  switch (verdict) {
-    case RequirementResult::Verdict::pass:
-      return "pass";
-    case RequirementResult::Verdict::fail:
-      return "fail";
-    case RequirementResult::Verdict::undecided:
-      break;
-  }
-  return "undecided";
-}
-
-// Six significant digits: the uncertainty of a value is never below its fourth.
-std::string csvNumber(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string();
-}
-
 // A name inside a '#' line must not begin a line of its own.
 std::string oneLine(std::string text) {
   for (char& c : text) {
@@ -105,6 +88,22 @@ std::string columnName(const GridResult& grid) {
 }
 
 }  // namespace
+
+const char* wordFor(RequirementResult::Verdict verdict) {
+  switch (verdict) {
+    case RequirementResult::Verdict::pass:
+      return "pass";
+    case RequirementResult::Verdict::fail:
+      return "fail";
+    case RequirementResult::Verdict::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+std::string tableNumber(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string();
+}
 
 Value toJson(const Results& results) {
   Value json;
@@ -153,7 +152,7 @@ Value toJson(const Results& results) {
   for (const RequirementResult& requirement : results.requirements) {
     Value entry;
     entry.set("text", requirement.text);
-    entry.set("verdict", verdictText(requirement.verdict));
+    entry.set("verdict", wordFor(requirement.verdict));
     if (!requirement.of.empty()) entry.set("of", requirement.of);
     if (!requirement.quantity.empty()) entry.set("quantity", requirement.quantity);
     if (requirement.minimum) entry.set("min", *requirement.minimum);
@@ -199,7 +198,7 @@ std::string toCsv(const Results& results, const GridResult& grid) {
     const core::Vec3& p = grid.points[i];
     const double value = i < grid.values.size() ? grid.values[i] : std::numeric_limits<double>::quiet_NaN();
     const double halfWidth = i < grid.halfWidths.size() ? grid.halfWidths[i] : std::numeric_limits<double>::quiet_NaN();
-    csv += fmt::format("{:.10g},{:.10g},{:.10g},{},{}\n", p.x, p.y, p.z, csvNumber(value), csvNumber(halfWidth));
+    csv += fmt::format("{:.10g},{:.10g},{:.10g},{},{}\n", p.x, p.y, p.z, tableNumber(value), tableNumber(halfWidth));
   }
   return csv;
 }

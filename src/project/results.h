@@ -73,6 +73,9 @@ struct RequirementResult {
   std::string clause{};  ///< where the limit stands in a standard; "" = the project's own
 };
 
+/// "pass", "fail" or "undecided".
+const char* wordFor(RequirementResult::Verdict verdict);
+
 struct Results {
   std::string project;      ///< the project's name
   std::string projectHash;  ///< project::Project::hash of what was calculated
@@ -101,6 +104,10 @@ Results resultsFromJson(const core::Value& document);
 
 /// Reads RESULTS: a folder that holds grids.json, or such a file itself. Throws core::InputError.
 Results readResults(const std::string& path);
+
+/// A number of a table: six significant digits (the uncertainty of a value is never below its fourth), empty where
+/// there is none.
+std::string tableNumber(double value);
 
 /// CSV of one grid: "#" lines saying how it was made, a header line with units, one row per point in the order of the
 /// grid: x_m, y_m, z_m, value, half-width (empty where excluded).

@@ -2,30 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace goniolux::project {
-namespace {
 
 using core::Estimate;
-
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string();
-}
-
-const char* verdictText(RequirementResult::Verdict verdict) {
-  switch (verdict) {
-    case RequirementResult::Verdict::pass:
-      return "pass";
-    case RequirementResult::Verdict::fail:
-      return "fail";
-    case RequirementResult::Verdict::undecided:
-      break;
-  }
-  return "undecided";
-}
-
-}  // namespace
 
 std::string toSummaryTable(const Results& results) {
   // A tab or a line's end inside a name would begin another cell.
@@ -34,7 +13,9 @@ std::string toSummaryTable(const Results& results) {
       if (c == '\t' || c == '\n' || c == '\r') c = ' ';
     return text;
   };
-  const auto figures = [](const Estimate& e) { return "\t" + number(e.value) + "\t" + number(e.halfWidth()); };
+  const auto figures = [](const Estimate& e) {
+    return "\t" + tableNumber(e.value) + "\t" + tableNumber(e.halfWidth());
+  };
   std::string table =
       "name\tquantity\tunit\tmean\tmean_half_width\tmin\tmin_half_width\tmax\tmax_half_width\tu0\tu0_half_width\n";
   for (const GridResult& grid : results.grids)
@@ -45,7 +26,7 @@ std::string toSummaryTable(const Results& results) {
     table += cell(observer.name) + "\t" + observer.quantity + "\t1" + figures(observer.value) + "\n";
   if (!results.requirements.empty()) table += "\nrequirement\tverdict\tclause\n";
   for (const RequirementResult& requirement : results.requirements)
-    table += cell(requirement.text) + "\t" + verdictText(requirement.verdict) + "\t" + cell(requirement.clause) + "\n";
+    table += cell(requirement.text) + "\t" + wordFor(requirement.verdict) + "\t" + cell(requirement.clause) + "\n";
   return table;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -237,9 +236,8 @@ class PixelLoop {
 ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin,
                          std::uint64_t key, const PixelAccuracy& accuracy, double secondsLeft,
                          core::ProgressSink& progress, const ImageObserver& partial) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const double start = core::wallSeconds();
+  const auto elapsed = [&] { return core::wallSeconds() - start; };
 
   PixelLoop loop(solver, view, worldOrigin, key, accuracy);
   progress.progress(view.name, 0, "first samples");

@@ -145,6 +145,28 @@ TEST_F(StudyStage, AutoTakesPathsForAHandfulOfPoints) {
   }
 }
 
+// What is kept belongs to the settings that it was calculated with.
+TEST_F(StudyStage, OtherSettingsAreCalculatedAnew) {
+  write("room", grid);
+  const std::string project = (folder_.path() / "room").string(), out = (folder_.path() / "out").string();
+  const auto runsOf = [&](const char* set) {
+    for (const Stage& stage : stages()) {
+      if (stage.name != "study") continue;
+      StageRequest request;
+      request.inputs = {project};
+      request.common.output = out;
+      request.common.timeLimit_s = 1;
+      if (set != nullptr) request.common.set = {set};
+      core::SilentProgress silent;
+      return core::toJson(*stage.run(request, silent).json.find("runs")->array()[0].find("rms"));
+    }
+    throw std::logic_error("there is no stage study");
+  };
+  const std::string first = runsOf(nullptr);
+  EXPECT_EQ(runsOf(nullptr), first);
+  EXPECT_NE(runsOf("seed=77"), first);
+}
+
 TEST_F(StudyStage, SeveralProjectsMakeAPageAndABrokenOneFailsAlone) {
   write("a room", grid);
   write("no grid", "");

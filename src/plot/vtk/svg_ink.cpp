@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/markup.h"
 #include "plot/base64.h"
 #include "plot/vtk/ink.h"
 
@@ -18,27 +19,6 @@ std::string hex(const Rgb& colour) {
 
 std::string opacityAttribute(const char* name, int opacity) {
   return opacity >= 255 ? std::string() : fmt::format(" {}=\"{:.3g}\"", name, opacity / 255.0);
-}
-
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      default:
-        // XML 1.0 has no place for control characters.
-        if (static_cast<unsigned char>(c) >= 0x20) text += c;
-    }
-  }
-  return text;
 }
 
 }  // namespace
@@ -60,7 +40,7 @@ SvgInk::SvgInk(int width, int height, const std::string& title, const std::strin
       "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Verdana, sans-serif\" "
       "xml:space=\"preserve\">\n<title>{2}</title>\n"
       "<desc>{3}</desc>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      width, height, escaped(title), escaped(description));
+      width, height, core::escapedMarkup(title), core::escapedMarkup(description));
 }
 
 std::string SvgInk::pointList(const Polyline& points) const {
@@ -99,7 +79,7 @@ void SvgInk::text(const std::string& words, const core::Vec2& at, const TextStyl
   }
   svg_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\"{} text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n",
                       base.x, height_ - base.y, style.size, style.bold ? " font-weight=\"bold\"" : "", anchor,
-                      hex(style.colour), turn, escaped(words));
+                      hex(style.colour), turn, core::escapedMarkup(words));
 }
 
 void SvgInk::image(const core::Vec2& low, const core::Vec2& high, vtkImageData* image) {
