@@ -87,8 +87,10 @@ std::string toJson(const Value& value);
 
 /// Whole file as bytes; an InputError names the file if it cannot be read.
 std::string readFile(const std::string& path);
+/// What a power cut may take: nothing, or a file that can be made again from others.
+enum class Durability { toTheDisk, whenConvenient };
 /// Writes beside the target and renames: an earlier file stays whole until the new one is. RunError when the disk says
 /// no.
-void writeFile(const std::string& path, std::string_view bytes);
+void writeFile(const std::string& path, std::string_view bytes, Durability durability = Durability::toTheDisk);
 
 }  // namespace goniolux::core

@@ -80,14 +80,15 @@ std::string readFile(const std::string& path) {
   }
 }
 
-void writeFile(const std::string& path, std::string_view bytes) {
+void writeFile(const std::string& path, std::string_view bytes, Durability durability) {
   static std::atomic<unsigned> serial{0};  // two writers in one process never share a temporary name
   const std::string temporary = fmt::format("{}.{}-{}.part", path, ::getpid(), serial++);
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!file.ok()) cannotWrite(path, errno);
   // The bytes must be on the disk before the name is: after a power cut there is the old file or the new one, whole.
-  if (!writeAll(file.get(), bytes) || ::fsync(file.get()) != 0 || !file.close() ||
-      ::rename(temporary.c_str(), path.c_str()) != 0) {
+  // Waiting for the disk takes longer than calculating a small room, so files that repeat others do without.
+  if (!writeAll(file.get(), bytes) || (durability == Durability::toTheDisk && ::fsync(file.get()) != 0) ||
+      !file.close() || ::rename(temporary.c_str(), path.c_str()) != 0) {
     const int error = errno;
     file.close();
     ::unlink(temporary.c_str());

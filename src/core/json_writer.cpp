@@ -109,19 +109,13 @@ class Writer {
   void writePacked(const Value::Array& values, std::size_t indent) {
     std::size_t lineStart = text.rfind('\n') + 1;  // npos + 1 == 0: the first line
     for (std::size_t i = 0; i < values.size(); ++i) {
-      Writer element;
-      element.write(values[i], 0);
-      const std::size_t comma = i + 1 < values.size() ? 1 : 0;
-      if (i > 0) {
-        if (text.size() - lineStart + 1 + element.text.size() + comma > lineWidth) {
-          newLine(indent + 2);
-          lineStart = text.size() - indent - 2;
-        } else {
-          text += ' ';
-        }
-      }
-      text += element.text;
-      if (comma) text += ',';
+      const std::size_t before = text.size();
+      if (i > 0) text += ' ';
+      write(values[i], 0);
+      if (i + 1 < values.size()) text += ',';
+      if (i == 0 || text.size() - lineStart <= lineWidth) continue;
+      text.replace(before, 1, "\n" + std::string(indent + 2, ' '));
+      lineStart = before + 1;
     }
   }
 

@@ -53,6 +53,20 @@ struct SobolMatrices {
 };
 constexpr SobolMatrices sobol;
 
+/// The same matrices for a byte of the index at a time, of the dimensions that have no shorter way.
+struct SobolBytes {
+  std::array<std::array<std::array<std::uint32_t, 256>, 4>, 2> of{};  // [dimension - 2][byte][its value]
+  constexpr SobolBytes() {
+    for (unsigned d = 0; d < 2; ++d)
+      for (unsigned byte = 0; byte < 4; ++byte)
+        for (unsigned value = 1; value < 256; ++value) {
+          const auto lowest = static_cast<unsigned>(std::countr_zero(value));
+          of[d][byte][value] = of[d][byte][value & (value - 1)] ^ sobol.column[d + 2][8 * byte + lowest];
+        }
+  }
+};
+constexpr SobolBytes sobolBytes;
+
 }  // namespace
 
 void Sampler::nextGroup() {
@@ -75,10 +89,9 @@ double Sampler::value(unsigned d) const {
     reversed ^= (reversed & 0xff00ff00u) >> 8;
     reversed ^= (reversed & 0xffff0000u) >> 16;
   } else {
-    std::uint32_t x = 0;
-    for (std::uint32_t index = index_; index != 0; index &= index - 1)
-      x ^= sobol.column[d][static_cast<unsigned>(std::countr_zero(index))];
-    reversed = reverseBits(x);
+    const auto& bytes = sobolBytes.of[d - 2];
+    reversed = reverseBits(bytes[0][index_ & 255] ^ bytes[1][(index_ >> 8) & 255] ^ bytes[2][(index_ >> 16) & 255] ^
+                           bytes[3][index_ >> 24]);
   }
   return reverseBits(laineKarras(reversed, scramble)) * 0x1p-32;
 }

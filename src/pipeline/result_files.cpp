@@ -98,11 +98,12 @@ std::vector<std::string> writeResultFiles(const std::string& folder, const Resul
   if (error) throw core::RunError(fmt::format("{}: the folder cannot be made: {}", folder, error.message()));
 
   std::vector<std::string> files;
-  const auto write = [&](const std::string& name, const std::string& content) {
+  const auto write = [&](const std::string& name, const std::string& content,
+                         core::Durability durability = core::Durability::whenConvenient) {
     const std::string file = (base / name).string();
     if (std::find(files.begin(), files.end(), file) != files.end())
       return;  // a grid may be called "outline": it goes first
-    core::writeFile(file, content);
+    core::writeFile(file, content, durability);
     files.push_back(file);
   };
   for (const GridResult& grid : results.grids) {
@@ -113,8 +114,8 @@ std::vector<std::string> writeResultFiles(const std::string& folder, const Resul
   write(outlineFileName, core::toJson(toJson(outline)));
   write("outline.vtp", outlineVtp(outline));
   write(project::summaryFileName, project::toSummaryTable(results));
-  // Last, so that a folder that has it has everything.
-  write(project::resultsFileName, core::toJson(project::toJson(results)));
+  // Last, so that a folder that has it has everything; all others repeat what it says.
+  write(project::resultsFileName, core::toJson(project::toJson(results)), core::Durability::toTheDisk);
   return files;
 }
 

@@ -24,6 +24,8 @@ class FreeView::Shaft {
       : point_(point), target_(target), tolerance_(tolerance) {
     hull_ = target;
     hull_.add(point);
+    center_ = 0.5 * (target.min + target.max);
+    halfExtent_ = 0.5 * (target.max - target.min);
     for (int axis = 0; axis < 3; ++axis) addLines((axis + 1) % 3, (axis + 2) % 3);
   }
 
@@ -42,29 +44,20 @@ class FreeView::Shaft {
     return false;
   }
 
-  [[nodiscard]] bool misses(const Vec3& u, const Vec3& v, const Vec3& w) const {
-    Bounds box;
-    box.add(u), box.add(v), box.add(w);
-    if (misses(box)) return true;
+  /// The whole shaft lies on one side of a plane.
+  [[nodiscard]] bool isBeside(const Vec3& normal, double offset) const {
+    const double here = glm::dot(point_, normal) - offset;
+    const double middle = glm::dot(center_, normal) - offset, reach = glm::dot(halfExtent_, glm::abs(normal));
+    return std::min(here, middle - reach) >= -tolerance_ || std::max(here, middle + reach) <= tolerance_;
+  }
+
+  [[nodiscard]] bool missesTriangle(const std::array<Vec3, 3>& corners) const {
     for (int l = 0; l < lines_; ++l) {
       const Line& line = line_[static_cast<std::size_t>(l)];
       const auto side = [&](const Vec3& x) { return line.nx * x[line.a] + line.ny * x[line.b]; };
-      if (std::min({side(u), side(v), side(w)}) >= line.offset - tolerance_) return true;
+      if (std::min({side(corners[0]), side(corners[1]), side(corners[2])}) >= line.offset - tolerance_) return true;
     }
-    // The whole shaft on one side of the triangle's plane?
-    const Vec3 normal = glm::cross(v - u, w - u);
-    const double length = glm::length(normal);
-    if (!(length > 0)) return true;
-    const double here = glm::dot(point_ - u, normal) / length;
-    double low = here, high = here;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 x((corner & 1) != 0 ? target_.max.x : target_.min.x, (corner & 2) != 0 ? target_.max.y : target_.min.y,
-                   (corner & 4) != 0 ? target_.max.z : target_.min.z);
-      const double d = glm::dot(x - u, normal) / length;
-      low = std::min(low, d);
-      high = std::max(high, d);
-    }
-    return low >= -tolerance_ || high <= tolerance_;
+    return false;
   }
 
  private:
@@ -88,7 +81,7 @@ class FreeView::Shaft {
                                                         {target_.min[a], target_.max[b]},
                                                         {target_.max[a], target_.max[b]}}};
     for (const auto& c : corners) {
-      const double dx = c[0] - px, dy = c[1] - py, length = std::hypot(dx, dy);
+      const double dx = c[0] - px, dy = c[1] - py, length = std::sqrt(dx * dx + dy * dy);
       if (length <= tolerance_) return;
       const double nx = dy / length, ny = -dx / length, offset = nx * px + ny * py;
       double low = 0, high = 0;
@@ -104,33 +97,49 @@ class FreeView::Shaft {
     }
   }
 
-  Vec3 point_;
+  Vec3 point_, center_, halfExtent_;
   Bounds target_, hull_;
   double tolerance_;
   std::array<Line, 12> line_{};
   int lines_ = 0;
 };
 
-FreeView::FreeView(const scene::World& world) : world_(world) {
-  std::vector<Bounds> boxes;
-  boxes.reserve(world.triangles.size() + world.patches.size());
-  for (const auto& t : world.triangles) {
-    Bounds& box = boxes.emplace_back();
-    for (const std::uint32_t corner : t) box.add(world.vertices[corner]);
+FreeView::FreeView(const scene::World& world) : tolerance_(1e-9 * world.radius) {
+  std::vector<Blocker> blockers;
+  blockers.reserve(world.triangles.size() + world.patches.size());
+  for (std::size_t t = 0; t < world.triangles.size(); ++t) {
+    Blocker& blocker = blockers.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      blocker.corners[c] = world.vertices[world.triangles[t][c]];
+      blocker.box.add(blocker.corners[c]);
+    }
+    const Vec3 normal = glm::cross(blocker.corners[1] - blocker.corners[0], blocker.corners[2] - blocker.corners[0]);
+    const double length = glm::length(normal);
+    if (!(length > 0)) {
+      blockers.pop_back();  // without area it blocks nothing
+      continue;
+    }
+    blocker.normal = normal / length;
+    blocker.offset = glm::dot(blocker.normal, blocker.corners[0]);
+    blocker.emitter = world.surfaces[world.triangleSurfaces[t]].emitter;
   }
   for (const scene::PlacedPatch& patch : world.patches) {
-    boxes.push_back(geometry::boundsOf(patch.patch));
-    patchBoxes_.push_back(boxes.back());
+    Blocker& blocker = blockers.emplace_back();
+    blocker.box = geometry::boundsOf(patch.patch);
+    blocker.emitter = world.surfaces[patch.surface].emitter;
   }
-  // Instances by their boxes, after the patches.
-  for (const Bounds& box : scene::instanceBounds(world)) {
-    boxes.push_back(box);
-    patchBoxes_.push_back(box);
-  }
+  for (const Bounds& box : scene::instanceBounds(world)) blockers.emplace_back().box = box;  // they emit nothing
+
+  std::vector<Bounds> boxes;
+  boxes.reserve(blockers.size());
+  for (const Blocker& blocker : blockers) boxes.push_back(blocker.box);
   order_.resize(boxes.size());
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.emplace_back();
   split(0, 0, static_cast<std::uint32_t>(boxes.size()), boxes);
+  blockers_.reserve(blockers.size());
+  for (const std::uint32_t i : order_) blockers_.push_back(blockers[i]);
+  order_.clear();
 }
 
 void FreeView::split(std::uint32_t node, std::uint32_t first, std::uint32_t count, const std::vector<Bounds>& boxes) {
@@ -157,17 +166,9 @@ void FreeView::split(std::uint32_t node, std::uint32_t first, std::uint32_t coun
   split(children + 1, first + half, count - half, boxes);
 }
 
-bool FreeView::mayBlock(const Shaft& shaft, std::uint32_t primitive) const {
-  const auto triangles = static_cast<std::uint32_t>(world_.triangles.size());
-  if (primitive >= triangles) return !shaft.misses(patchBoxes_[primitive - triangles]);
-  const auto& t = world_.triangles[primitive];
-  return !shaft.misses(world_.vertices[t[0]], world_.vertices[t[1]], world_.vertices[t[2]]);
-}
-
 bool FreeView::isFree(const Vec3& point, const Bounds& target, std::uint32_t own) const {
   if (target.empty() || nodes_.front().box.empty()) return false;
-  const Shaft shaft(point, target, 1e-9 * world_.radius);
-  const auto triangles = static_cast<std::uint32_t>(world_.triangles.size());
+  const Shaft shaft(point, target, tolerance_);
   std::array<std::uint32_t, 64> stack{};
   int depth = 0;
   stack[static_cast<std::size_t>(depth++)] = 0;
@@ -180,13 +181,14 @@ bool FreeView::isFree(const Vec3& point, const Bounds& target, std::uint32_t own
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::uint32_t p = order_[i];
-      if (p < triangles + world_.patches.size()) {  // instances emit nothing
-        const std::uint32_t surface =
-            p < triangles ? world_.triangleSurfaces[p] : world_.patches[p - triangles].surface;
-        if (world_.surfaces[surface].emitter == own) continue;
-      }
-      if (mayBlock(shaft, p)) return false;
+      const Blocker& blocker = blockers_[i];
+      if (blocker.emitter == own) continue;
+      // A room's walls: most shafts lie on their inner side.
+      const bool isTriangle = blocker.normal != Vec3(0);
+      if (isTriangle && shaft.isBeside(blocker.normal, blocker.offset)) continue;
+      if (shaft.misses(blocker.box)) continue;
+      if (isTriangle && shaft.missesTriangle(blocker.corners)) continue;
+      return false;
     }
   }
   return true;

@@ -6,6 +6,7 @@
 // plane, cannot stand in the way. The test errs on one side only: `true` is a proof, `false` means "maybe not".
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +17,6 @@ namespace goniolux::solver {
 
 class FreeView {
  public:
-  /// The world must outlive this.
   explicit FreeView(const scene::World& world);
 
   /// Nothing but the surfaces of emitter `own` itself lies between `point` and `target`. World frame.
@@ -26,17 +26,24 @@ class FreeView {
   struct Node {
     geometry::Bounds box;
     std::uint32_t first = 0,
-                  count = 0;  ///< leaf: primitives order_[first ..]; inner (count 0): children first, first+1
+                  count = 0;  ///< leaf: blockers_[first ..]; inner (count 0): children first, first+1
   };
   class Shaft;
+  /// What may stand in the way, in the order of the leaves.
+  struct Blocker {
+    geometry::Bounds box;
+    core::Vec3 normal{0};  ///< unit normal of a triangle; 0: only its box is looked at (patches, instances)
+    double offset = 0;     ///< dot(normal, x) in its plane
+    std::array<core::Vec3, 3> corners{};
+    std::uint32_t emitter = scene::none;  ///< that it belongs to
+  };
 
   void split(std::uint32_t node, std::uint32_t first, std::uint32_t count, const std::vector<geometry::Bounds>& boxes);
-  [[nodiscard]] bool mayBlock(const Shaft& shaft, std::uint32_t primitive) const;
 
-  const scene::World& world_;
-  std::vector<std::uint32_t> order_;  ///< primitives: triangles, then patches
+  double tolerance_;
+  std::vector<std::uint32_t> order_;  ///< primitives: triangles, then patches, then instances
   std::vector<Node> nodes_;
-  std::vector<geometry::Bounds> patchBoxes_;
+  std::vector<Blocker> blockers_;
 };
 
 }  // namespace goniolux::solver

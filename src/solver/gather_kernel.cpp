@@ -12,7 +12,8 @@ namespace goniolux::solver {
 
 namespace {
 
-constexpr std::uint64_t seedKey = 0x5eed, exploreKey = 0xe491, linkKey = 0x1147, directKey = 0xd17ec7;
+constexpr std::uint64_t seedKey = 0x5eed, exploreKey = 0xe491, linkKey = 0x1147, directKey = 0xd17ec7,
+                        chosenKey = 0xc400;
 constexpr std::size_t exploringRays = 12;
 constexpr std::size_t mostCells = 200000;
 constexpr int mostSteps = 256;  // at finishes that are not diffuse
@@ -209,13 +210,10 @@ void GatherSolver<W>::directAt(const Vertex& at, std::uint64_t key, std::vector<
     for (std::uint32_t i = 0; i < lights.size(); ++i) connect(i, 1, lights[i].emitter->hasClosedForm() ? 1 : 4);
     return;
   }
-  for (std::uint32_t i = 0; i < fewLights; ++i) {
-    core::Sampler random(core::combine(key, 0xc400), i);
-    std::uint32_t chosen = 0;
-    double probability = 0;
-    if (this->lights_->choose(at.point, at.normal, random.next(), chosen, probability))
-      connect(chosen, 1 / (probability * static_cast<double>(fewLights)), 1);
-  }
+  thread_local std::vector<LightList::Choice> choices;
+  core::Sampler random(core::combine(key, chosenKey), 0);
+  this->lights_->chooseMany(at.point, at.normal, random.next(), fewLights, choices);
+  for (const auto& [light, weight] : choices) connect(light, weight, 1);
 }
 
 template <int W>

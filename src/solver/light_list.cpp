@@ -87,8 +87,7 @@ Vec3 LightList::fold(const Light& light, Vec3 direction) const {
   return direction;
 }
 
-bool LightList::choose(const Vec3& point, const Vec3& normal, double u, std::uint32_t& light,
-                       double& probability) const {
+const std::vector<double>& LightList::cumulativeImportance(const Vec3& point, const Vec3& normal) const {
   thread_local std::vector<double> cumulative;
   cumulative.resize(lights_.size());
   double sum = 0;
@@ -102,13 +101,34 @@ bool LightList::choose(const Vec3& point, const Vec3& normal, double u, std::uin
     }
     cumulative[i] = sum;
   }
+  return cumulative;
+}
+
+bool LightList::choose(const Vec3& point, const Vec3& normal, double u, std::uint32_t& light,
+                       double& probability) const {
+  const std::vector<double>& cumulative = cumulativeImportance(point, normal);
+  const double sum = cumulative.empty() ? 0 : cumulative.back();
   if (!(sum > 0)) return false;
-  const double pick = u * sum;
-  std::size_t i = 0;
-  while (i + 1 < cumulative.size() && cumulative[i] <= pick) ++i;
-  light = static_cast<std::uint32_t>(i);
-  probability = (cumulative[i] - (i > 0 ? cumulative[i - 1] : 0.0)) / sum;
+  const auto found = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u * sum);
+  light = static_cast<std::uint32_t>(found - cumulative.begin());
+  probability = (*found - (found == cumulative.begin() ? 0.0 : *(found - 1))) / sum;
   return probability > 0;
+}
+
+void LightList::chooseMany(const Vec3& point, const Vec3& normal, double u, std::size_t count,
+                           std::vector<Choice>& choices) const {
+  choices.clear();
+  const std::vector<double>& cumulative = cumulativeImportance(point, normal);
+  const double sum = cumulative.empty() ? 0 : cumulative.back();
+  if (!(sum > 0)) return;
+  const double step = sum / static_cast<double>(count);
+  double pick = u * step;
+  for (std::uint32_t i = 0; i < cumulative.size(); ++i) {
+    const double importance = cumulative[i] - (i == 0 ? 0.0 : cumulative[i - 1]);
+    double picks = 0;
+    for (; pick < cumulative[i]; pick += step) picks += 1;
+    if (picks > 0) choices.push_back({i, picks * step / importance});
+  }
 }
 
 }  // namespace goniolux::solver

@@ -63,8 +63,19 @@ class LightList {
   /// reach it.
   bool choose(const core::Vec3& point, const core::Vec3& normal, double u, std::uint32_t& light,
               double& probability) const;
+  struct Choice {
+    std::uint32_t light;
+    double weight;  ///< with which its light counts, so that all choices together expect all light
+  };
+  /// At most `count` choices of that kind, spread evenly over the lights (systematic sampling); none when no light can
+  /// reach it.
+  void chooseMany(const core::Vec3& point, const core::Vec3& normal, double u, std::size_t count,
+                  std::vector<Choice>& choices) const;
 
  private:
+  /// Running sum of the lights' importance for a point.
+  [[nodiscard]] const std::vector<double>& cumulativeImportance(const core::Vec3& point,
+                                                                const core::Vec3& normal) const;
   void findPlanes(const std::vector<bool>& isMirror);
   void addImages();
 
