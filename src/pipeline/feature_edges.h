@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "core/vector.h"
@@ -25,9 +26,20 @@ using Triangle = std::array<core::Vec3, 3>;
 /// The object's surface as triangles in the world (patches as 48-sided approximations): what hides lines in a plan.
 std::vector<Triangle> coveringTriangles(const scene::Object& object);
 
-/// What is left of `segments` in a plan: looked at from straight above, the parts under one of `covers` are cut away,
-/// and so is what shows as a mere point. Parts less than `tolerance` (m) below a cover stay.
-std::vector<Segment> visibleFromAbove(const std::vector<Segment>& segments, const std::vector<Triangle>& covers,
-                                      double tolerance);
+/// What hides lines in a plan, looked at from straight above.
+class PlanCovers {
+ public:
+  explicit PlanCovers(std::vector<Triangle> covers);
+  ~PlanCovers();
+
+  /// What is left of `segments`: the parts under a cover are cut away, and so is what shows as a mere point. Parts less
+  /// than `tolerance` (m) below a cover stay.
+  [[nodiscard]] std::vector<Segment> visible(const std::vector<Segment>& segments, double tolerance) const;
+
+ private:
+  class Index;
+  std::vector<Triangle> covers_;
+  std::unique_ptr<Index> index_;
+};
 
 }  // namespace goniolux::pipeline

@@ -179,9 +179,10 @@ Outline outlineOf(const project::Project& project) {
     if (!isRoom) covers.insert(covers.end(), surfaces[i].begin(), surfaces[i].end());
   }
   const double tolerance = 1e-5 * std::max(glm::distance(outline.low, outline.high), 1e-3);
+  const PlanCovers furniture(std::move(covers)), nothing({});
   for (ObjectOutline& object : outline.objects) {
     // Under its furniture a room's floor line is still the room.
-    object.plan = visibleFromAbove(object.edges, object.isRoom ? std::vector<Triangle>() : covers, tolerance);
+    object.plan = (object.isRoom ? nothing : furniture).visible(object.edges, tolerance);
   }
   return outline;
 }

@@ -1,6 +1,8 @@
 // Hidden lines of a plan: a segment is cut, in closed form, by every triangle above it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -53,10 +55,12 @@ std::optional<Interval> hiddenPart(const Segment& segment, const Triangle& trian
   return Interval{low, high};
 }
 
+}  // namespace
+
 /// Triangles by the squares of the plan that they touch, so that a segment meets only those near it.
-class PlanIndex {
+class PlanCovers::Index {
  public:
-  PlanIndex(const std::vector<Triangle>& triangles, Vec2 low, Vec2 high) : low_(low) {
+  Index(const std::vector<Triangle>& triangles, Vec2 low, Vec2 high) : low_(low) {
     cells_ = triangles.size() > 64 ? 64 : 1;
     cell_ = glm::max((high - low) / static_cast<double>(cells_), Vec2(1e-9));
     lists_.resize(static_cast<std::size_t>(cells_ * cells_));
@@ -97,25 +101,28 @@ class PlanIndex {
   std::size_t round_ = 0;
 };
 
-}  // namespace
-
-std::vector<Segment> visibleFromAbove(const std::vector<Segment>& segments, const std::vector<Triangle>& covers,
-                                      double tolerance) {
-  Vec2 low(0), high(0);
-  for (const Triangle& triangle : covers) {
+PlanCovers::PlanCovers(std::vector<Triangle> covers) : covers_(std::move(covers)) {
+  Vec2 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  for (const Triangle& triangle : covers_) {
     for (const Vec3& corner : triangle) {
       low = glm::min(low, Vec2(corner));
       high = glm::max(high, Vec2(corner));
     }
   }
-  PlanIndex index(covers, low, high);
+  if (covers_.empty()) low = high = Vec2(0);
+  index_ = std::make_unique<Index>(covers_, low, high);
+}
+
+PlanCovers::~PlanCovers() = default;
+
+std::vector<Segment> PlanCovers::visible(const std::vector<Segment>& segments, double tolerance) const {
   std::vector<Segment> visible;
   for (const Segment& segment : segments) {
     const double length = glm::distance(Vec2(segment.from), Vec2(segment.to));
     if (!(length > tolerance)) continue;
     std::vector<Interval> hidden;
-    index.near(segment, [&](std::size_t i) {
-      if (const auto part = hiddenPart(segment, covers[i], tolerance)) hidden.push_back(*part);
+    index_->near(segment, [&](std::size_t i) {
+      if (const auto part = hiddenPart(segment, covers_[i], tolerance)) hidden.push_back(*part);
     });
     std::sort(hidden.begin(), hidden.end());
     double reached = 0;

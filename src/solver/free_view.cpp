@@ -14,6 +14,7 @@ using geometry::Bounds;
 namespace {
 
 constexpr std::uint32_t leafSize = 4;
+constexpr double largeShare = 0.5;  // of the scene's extent along an axis
 
 }  // namespace
 
@@ -135,8 +136,25 @@ FreeView::FreeView(const scene::World& world) : tolerance_(1e-9 * world.radius) 
   for (const Blocker& blocker : blockers) boxes.push_back(blocker.box);
   order_.resize(boxes.size());
   std::iota(order_.begin(), order_.end(), 0u);
+  // Walls, floor and ceiling stand apart, or the boxes of everything would be as large as theirs.
+  Bounds all;
+  for (const Bounds& box : boxes) all.add(box.min), all.add(box.max);
+  const auto isLarge = [&](std::uint32_t i) {
+    const Vec3 share = boxes[i].extent() / glm::max(all.extent(), Vec3(1e-300));
+    return std::max({share.x, share.y, share.z}) > largeShare;
+  };
+  const auto large = static_cast<std::uint32_t>(
+      boxes.empty() ? 0 : std::stable_partition(order_.begin(), order_.end(), isLarge) - order_.begin());
+  const auto count = static_cast<std::uint32_t>(boxes.size());
   nodes_.emplace_back();
-  split(0, 0, static_cast<std::uint32_t>(boxes.size()), boxes);
+  if (large == 0 || large == count) {
+    split(0, 0, count, boxes);
+  } else {
+    nodes_.resize(3);
+    nodes_[0] = {all, 1, 0};
+    split(1, 0, large, boxes);
+    split(2, large, count - large, boxes);
+  }
   blockers_.reserve(blockers.size());
   for (const std::uint32_t i : order_) blockers_.push_back(blockers[i]);
   order_.clear();

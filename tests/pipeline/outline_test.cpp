@@ -109,19 +109,19 @@ TEST(FeatureEdges, OfALyingCylinderIncludeItsTwoSides) {
 TEST(PlanVisibility, CutsALineWhereSomethingLiesOverIt) {
   const std::vector<Triangle> cover{{Vec3{1, -1, 2}, Vec3{3, -1, 2}, Vec3{3, 1, 2}},
                                     {Vec3{1, -1, 2}, Vec3{3, 1, 2}, Vec3{1, 1, 2}}};
-  const std::vector<Segment> visible = visibleFromAbove({{{0, 0, 0}, {4, 0, 0}}}, cover, 1e-4);
+  const std::vector<Segment> visible = PlanCovers(cover).visible({{{0, 0, 0}, {4, 0, 0}}}, 1e-4);
   ASSERT_EQ(visible.size(), 2U);
   EXPECT_NEAR(visible[0].to.x, 1, 1e-6);
   EXPECT_NEAR(visible[1].from.x, 3, 1e-6);
-  EXPECT_EQ(visibleFromAbove({{{0, 0, 3}, {4, 0, 3}}}, cover, 1e-4).size(), 1U) << "above the cover";
+  EXPECT_EQ(PlanCovers(cover).visible({{{0, 0, 3}, {4, 0, 3}}}, 1e-4).size(), 1U) << "above the cover";
   // A line that rises through the cover shows from where it comes out.
-  const std::vector<Segment> rising = visibleFromAbove({{{1, 0, 1}, {3, 0, 3}}}, cover, 1e-6);
+  const std::vector<Segment> rising = PlanCovers(cover).visible({{{1, 0, 1}, {3, 0, 3}}}, 1e-6);
   ASSERT_EQ(rising.size(), 1U);
   EXPECT_NEAR(rising[0].from.x, 2, 1e-4);
 }
 
 TEST(PlanVisibility, DropsUprightLines) {
-  EXPECT_TRUE(visibleFromAbove({{{1, 1, 0}, {1, 1, 2}}}, {}, 1e-4).empty());
+  EXPECT_TRUE(PlanCovers({}).visible({{{1, 1, 0}, {1, 1, 2}}}, 1e-4).empty());
 }
 
 project::Project furnishedRoom() {
