@@ -154,14 +154,15 @@ class GridRun {
   void findRemainder(double secondsLeft, core::ProgressSink& progress) {
     if (std::all_of(whole_.begin(), whole_.end(), [](char whole) { return whole != 0; })) return;
     remainder_ = estimateRemainder(solver_, quantity_, receivers_, plans_, core::combine(key_, remainderKey),
-                                   remainderShare * accuracy_.relative * std::abs(roughMean_), accuracy_.confidence,
-                                   secondsLeft, progress);
+                                   remainderShare * allowed(roughMean_, roughMean_), accuracy_.confidence, secondsLeft,
+                                   progress);
     // A solution that is wrong by so different amounts over the grid is no help: paths to their own end instead.
     double interreflected = 0;
     for (const auto& plan : plans_) interreflected += of(plan->interreflected) / static_cast<double>(plans_.size());
-    if (remainder_.spread * interreflected <= spreadShare * accuracy_.relative * std::abs(roughMean_)) return;
+    if (remainder_.spread * interreflected <= spreadShare * allowed(roughMean_, roughMean_)) return;
     whole_.assign(whole_.size(), 1);
-    for (std::uint32_t& samples : samples_) samples = netSize(wholeGrowth * samples);
+    samples_.assign(samples_.size(), pilotSamples);
+    pilot(progress);  // what the points need is another matter now
   }
 
   void everyPointIsKnown() { everyPointIsKnown_ = true; }

@@ -49,6 +49,8 @@ class Emitter {
     (void)point;
     return 0;
   }
+  /// The direction about which its light is described: where to look most closely for narrow beams.
+  [[nodiscard]] virtual core::Vec3 aim() const = 0;
   /// Luminous flux, lm.
   [[nodiscard]] virtual double flux() const = 0;
   /// True where illuminance() costs little more than a sample (a closed form).

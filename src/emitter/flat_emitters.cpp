@@ -203,6 +203,7 @@ class TriangleEmitter final : public Emitter {
     const double distance = std::max(glm::length(toCenter), 1e-12), reach = std::max(distance, 0.5 * radius_);
     return std::min(2 * core::pi, area_ * std::abs(glm::dot(toCenter, normal_)) / distance / (reach * reach));
   }
+  [[nodiscard]] Vec3 aim() const override { return normal_; }
   [[nodiscard]] double flux() const override { return 2 * core::pi * luminance_ * area_; }
   [[nodiscard]] bool hasClosedForm() const override { return true; }
 

@@ -24,6 +24,7 @@ class OpeningEmitter : public Emitter {
   [[nodiscard]] double luminance(const core::Vec3& normal, const core::Vec3& direction) const override;
   [[nodiscard]] double importance(const core::Vec3& point, const core::Vec3& normal) const override;
   [[nodiscard]] double roughSolidAngle(const core::Vec3& point) const override;
+  [[nodiscard]] core::Vec3 aim() const override { return output_.frame.aim; }
   [[nodiscard]] double flux() const override { return flux_; }
 
  protected:

@@ -33,6 +33,7 @@ class PointEmitter final : public Emitter {
   [[nodiscard]] double importance(const Vec3& point, const Vec3& normal) const override {
     return illuminance(point, normal, 0).value;
   }
+  [[nodiscard]] Vec3 aim() const override { return output_.frame.aim; }
   [[nodiscard]] double flux() const override {
     return output_.distribution ? output_.scale * output_.distribution->flux() : output_.flux_lm;
   }

@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "geometry/bounds.h"
-#include "geometry/quadric_intersect.h"
 #include "solver/directions.h"
+#include "solver/world_extent.h"
 
 namespace goniolux::solver {
 
@@ -16,43 +15,12 @@ constexpr std::uint64_t seedKey = 0x5eed, exploreKey = 0xe491, linkKey = 0x1147,
                         chosenKey = 0xc400;
 constexpr std::size_t exploringRays = 12;
 constexpr std::size_t mostCells = 200000;
-constexpr int mostSteps = 256;  // at finishes that are not diffuse
 // Of a cell's points' direct light, relative to all its light: above this spread the mean stands for none of them.
 constexpr double roughSpread = 0.35;
 constexpr double lookTolerance = 1e-2;
 constexpr double solveTolerance = 1e-4;
 // Lights beyond this number are sampled by importance.
 constexpr std::size_t fewLights = 32;
-
-/// The area of all surfaces, m2 (of quadric patches: of half their bounding box, roughly).
-double areaOf(const scene::World& world) {
-  double area = 0;
-  for (const auto& t : world.triangles)
-    area += 0.5 * glm::length(glm::cross(world.vertices[t[1]] - world.vertices[t[0]],
-                                         world.vertices[t[2]] - world.vertices[t[0]]));
-  for (const scene::PlacedPatch& patch : world.patches) {
-    const geometry::Bounds b = geometry::boundsOf(patch.patch);
-    const core::Vec3 d = b.max - b.min;
-    area += d.x * d.y + d.y * d.z + d.z * d.x;
-  }
-  for (const geometry::Bounds& b : scene::instanceBounds(world)) {
-    const core::Vec3 d = b.max - b.min;
-    area += d.x * d.y + d.y * d.z + d.z * d.x;
-  }
-  return area;
-}
-
-geometry::Bounds boundsOf(const scene::World& world) {
-  geometry::Bounds box;
-  for (const core::Vec3& v : world.vertices) box.add(v);
-  for (const scene::PlacedPatch& patch : world.patches) {
-    const geometry::Bounds b = geometry::boundsOf(patch.patch);
-    box.add(b.min);
-    box.add(b.max);
-  }
-  for (const geometry::Bounds& b : scene::instanceBounds(world)) box.add(b);
-  return box;
-}
 
 core::Vec3 uniformDirection(const core::Vec2& u) {
   const double z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0, 1 - z * z)), angle = 2 * core::pi * u.y;
@@ -82,32 +50,6 @@ GatherSolver<W>::GatherSolver(const Problem& problem) : Base(problem) {
 }
 
 template <int W>
-typename GatherSolver<W>::Arrival GatherSolver<W>::arrive(const Vec3& origin, const Vec3& direction,
-                                                          core::Sampler& random, std::uint64_t& rays) const {
-  Arrival arrival;
-  typename Base::Path path{origin, direction, Spectral::filled(1)};
-  this->chooseHero(path, random);
-  typename Base::Meeting met;
-  for (int i = 0; i < mostSteps && this->meet(path, met, rays); ++i) {
-    arrival.at = this->vertexAt(met.hit, path.direction);
-    if (met.bsdf->isLambertian()) {
-      arrival.found = true;
-      arrival.surface = met.hit.surface;
-      arrival.filtered = i > 0 || this->hasMedia_;
-      arrival.filter = path.throughput;
-      return arrival;
-    }
-    const core::Frame frame = frameAbout(arrival.at.normal);
-    reflection::BsdfSample next;
-    Spectral weight = Spectral::filled(0);
-    if (!met.bsdf->sample(frame.toLocal(-path.direction), random.next2(), met.interface, next, weight.v.data()) ||
-        !this->goOn(path, met, arrival.at, frame, next, weight, true, random))
-      return arrival;
-  }
-  return arrival;
-}
-
-template <int W>
 void GatherSolver<W>::linkCells(std::size_t from, std::size_t to, std::size_t raysPerCell,
                                 std::vector<LightSolution::Link>& links, std::vector<float>& filters) {
   LightSolution& solution = *this->solution_;
@@ -123,7 +65,7 @@ void GatherSolver<W>::linkCells(std::size_t from, std::size_t to, std::size_t ra
         core::Sampler random(core::combine(core::combine(linkKey, raysPerCell), cell), static_cast<std::uint32_t>(i));
         const Vec3 direction = cosineDirection(frameAbout(point.normal), random.next2());
         arrivals[j * raysPerCell + i] =
-            arrive(this->tracer_.leave(point.position, point.normal), direction, random, rays);
+            this->arrive(this->tracer_.leave(point.position, point.normal), direction, random, rays);
       }
     }
     this->rays_.fetch_add(rays, std::memory_order_relaxed);
@@ -153,7 +95,7 @@ void GatherSolver<W>::discover(LightSolution::Transport& transport) {
     const core::Vec2 xy = random.next2();
     const double z = random.next();
     const Vec3 origin = box.min + (box.max - box.min) * Vec3(xy, z);
-    const Arrival arrival = arrive(origin, uniformDirection(random.next2()), random, rays);
+    const Arrival arrival = this->arrive(origin, uniformDirection(random.next2()), random, rays);
     if (arrival.found) solution.add(arrival.surface, arrival.at.point, arrival.at.normal);
   }
   this->rays_.fetch_add(rays, std::memory_order_relaxed);

@@ -25,15 +25,8 @@ class GatherSolver final : public PathSolver<W> {
   using typename Base::Spectral;
   using typename Base::Vertex;
 
-  struct Arrival {
-    bool found = false, filtered = false;
-    std::uint32_t surface = 0;
-    Vertex at;
-    Spectral filter;
-  };
-  /// Follows a ray over mirrors and through glass to the first diffuse surface.
-  [[nodiscard]] Arrival arrive(const Vec3& origin, const Vec3& direction, core::Sampler& random,
-                               std::uint64_t& rays) const;
+  using typename Base::Arrival;
+
   /// The cells that light can come from, with the rays that link them.
   void discover(LightSolution::Transport& transport);
   void linkCells(std::size_t from, std::size_t to, std::size_t raysPerCell, std::vector<LightSolution::Link>& links,

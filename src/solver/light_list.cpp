@@ -12,22 +12,28 @@ namespace {
 // More images than this cost more than they save; longer sequences are then left to chance hits.
 constexpr std::size_t mostLights = 192;
 constexpr int mostMirrors = 8;
+// Between two parallel mirrors a row of images grows by two with each reflection.
+constexpr std::size_t longestRow = 96, mostRowImages = 1024;
+constexpr double smallRest =
+    1e-3;  // of the light of the first image of the row, as the inverse square lets it decrease
 
 }  // namespace
 
-LightList::LightList(const scene::World& world, const std::vector<bool>& isMirror) : world_(world) {
+LightList::LightList(const scene::World& world, const std::vector<double>& mirrorReflectance)
+    : world_(world), mirrorReflectance_(mirrorReflectance) {
   for (std::uint32_t i = 0; i < world.emitters.size(); ++i)
     lights_.push_back({world.emitters[i].emitter.get(), i, world.emitters[i].spectrum, {}});
-  findPlanes(isMirror);
+  findPlanes();
   addImages();
+  addRows();
 }
 
-void LightList::findPlanes(const std::vector<bool>& isMirror) {
+void LightList::findPlanes() {
   planeOfTriangle_.assign(world_.triangles.size(), scene::none);
   const double tolerance = 1e-7 * world_.radius;
   for (std::size_t t = 0; t < world_.triangles.size(); ++t) {
     const std::uint32_t material = world_.surfaces[world_.triangleSurfaces[t]].material;
-    if (!isMirror[material]) continue;
+    if (!(mirrorReflectance_[material] > 0)) continue;
     const auto& corner = world_.triangles[t];
     const Vec3 &a = world_.vertices[corner[0]], &b = world_.vertices[corner[1]], &c = world_.vertices[corner[2]];
     const Vec3 normal = glm::normalize(glm::cross(b - a, c - a));
@@ -69,6 +75,34 @@ void LightList::addImages() {
       }
     imageDepth_ = depth;
     sequences = std::move(longer);
+  }
+}
+
+void LightList::addRows() {
+  const std::size_t images = lights_.size(), first = static_cast<std::size_t>(imageDepth_);
+  if (first < 2) return;
+  std::size_t added = 0;
+  for (std::size_t i = 0; i < images; ++i) {
+    if (lights_[i].mirrors.size() != first || world_.emitters[lights_[i].source].hasGeometry) continue;
+    // Only a sequence to and fro between two parallel planes goes on for ever.
+    const std::uint32_t last = lights_[i].mirrors[first - 1], other = lights_[i].mirrors[first - 2];
+    bool row = std::abs(glm::dot(planes_[last].normal, planes_[other].normal)) > 1 - 1e-9;
+    for (std::size_t k = 0; k + 2 < first; ++k) row = row && lights_[i].mirrors[k] == lights_[i].mirrors[k + 2];
+    if (!row) continue;
+    const double rho =
+        std::max(mirrorReflectance_[planes_[last].material], mirrorReflectance_[planes_[other].material]);
+    if (!(rho < 1)) continue;
+    Light image = lights_[i];
+    double share = 1;  // of the first image of the row, at least
+    while (image.mirrors.size() < longestRow && added < mostRowImages && share * rho / (1 - rho) > smallRest) {
+      const std::size_t depth = image.mirrors.size();
+      image.mirrors.push_back(image.mirrors[depth - 2]);
+      share *= rho * std::pow(static_cast<double>(depth) / static_cast<double>(depth + 1), 2);
+      lights_.push_back(image);
+      ++added;
+    }
+    // Each further image is farther away, and loses by one reflection more.
+    lights_[image.mirrors.size() == first ? i : lights_.size() - 1].rest = rho / (1 - rho);
   }
 }
 

@@ -4,7 +4,8 @@
 // A light is an emitter and a sequence of mirror planes that its light meets on the way from the point. The connection
 // is sampled in the unfolded space (the point reflected through the planes), then followed along the real ray: each hit
 // must be the next mirror. So light that comes by plane mirrors is found by next-event estimation; mirror sequences
-// longer than imageDepth() and curved mirrors are left to the paths that hit an emitter by chance.
+// longer than imageDepth() and curved mirrors are left to the paths that hit an emitter by chance. Points and lines
+// cannot be hit: between parallel mirrors their images go on until the rest of the row is small, and bounded.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,8 @@ struct Light {
   std::uint32_t source = 0;  ///< index into World::emitters
   std::uint32_t spectrum = 0;
   std::vector<std::uint32_t>
-      mirrors;  ///< planes in the order in which they are met from the point; empty: seen directly
+      mirrors;      ///< planes in the order in which they are met from the point; empty: seen directly
+  double rest = 0;  ///< the images that follow in its row bring at most this times its own light
 };
 
 /// A receiver as a light sees it: reflected through the light's mirrors.
@@ -43,8 +45,9 @@ struct Unfolded {
 
 class LightList {
  public:
-  /// `isMirror[m]`: material m is an ideal mirror. The world must outlive the list.
-  LightList(const scene::World& world, const std::vector<bool>& isMirror);
+  /// `mirrorReflectance[m]`: the largest over the wavelengths and angles where material m is an ideal mirror, else 0.
+  /// The world must outlive the list.
+  LightList(const scene::World& world, const std::vector<double>& mirrorReflectance);
 
   [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
   [[nodiscard]] const std::vector<MirrorPlane>& planes() const { return planes_; }
@@ -76,10 +79,12 @@ class LightList {
   /// Running sum of the lights' importance for a point.
   [[nodiscard]] const std::vector<double>& cumulativeImportance(const core::Vec3& point,
                                                                 const core::Vec3& normal) const;
-  void findPlanes(const std::vector<bool>& isMirror);
+  void findPlanes();
   void addImages();
+  void addRows();
 
   const scene::World& world_;
+  std::vector<double> mirrorReflectance_;
   std::vector<MirrorPlane> planes_;
   std::vector<std::uint32_t> planeOfTriangle_;
   std::vector<Light> lights_;

@@ -3,8 +3,10 @@
 #include <cassert>
 
 #include "solver/path_connections.h"
+#include "solver/path_guidance.h"
 #include "solver/path_receiver.h"
 #include "solver/path_steps.h"
+#include "solver/world_extent.h"
 
 namespace goniolux::solver {
 
@@ -26,6 +28,7 @@ PathSolver<W>::PathSolver(const Problem& problem)
   const spectrum::SpectralQuadrature& quadrature = problem.quadrature;
   assert(quadrature.wavelengths.size() <= static_cast<std::size_t>(W));
   std::vector<bool> isMirror;
+  std::vector<double> largestMirror;  // reflectance, where it is one
   bool bends = false;
   for (const material::Material& material : world_.materials) {
     const reflection::ReflectionModel* model = reflection::findReflectionModel(material.model);
@@ -36,6 +39,10 @@ PathSolver<W>::PathSolver(const Problem& problem)
     Spectral reflectance = Spectral::filled(0);
     if (isMirror.back()) bsdf.mirrorReflectance(1, reflectance.v.data());
     mirrorReflectance_.push_back(reflectance);
+    // Panes mirror nearly everything at grazing incidence.
+    largestMirror.push_back(!isMirror.back()       ? 0.0
+                            : bsdf.lobes().angular ? 1.0
+                                                   : static_cast<double>(reflectance.largest()));
     hasPanes_ = hasPanes_ || bsdf.lobes().straight || (bsdf.lobes().mirror && bsdf.lobes().angular);
     if (bsdf.medium() == nullptr) continue;
     hasMedia_ = true;
@@ -60,7 +67,7 @@ PathSolver<W>::PathSolver(const Problem& problem)
     heroProbability_.push_back(total > 0 ? s / total : 1.0 / static_cast<double>(seen.size()));
     heroCumulative_.push_back(sum += heroProbability_.back());
   }
-  lights_ = std::make_unique<LightList>(world_, isMirror);
+  lights_ = std::make_unique<LightList>(world_, largestMirror);
   lightsAreFew_ = lights_->lights().size() <= fewLights;
 
   // Emitting triangles stand in World::emitters in the order of the triangles.
@@ -71,6 +78,8 @@ PathSolver<W>::PathSolver(const Problem& problem)
     while (emitter < world_.emitters.size() && world_.emitters[emitter].luminaire != scene::none) ++emitter;
     if (emitter < world_.emitters.size()) emitterOfTriangle_[t] = emitter++;
   }
+
+  findSpots(areaOf(world_));
 
   // Points and lines have no geometry that a ray could hit: their light by mirrors is found through plane images only,
   // and what glass bends is not found at all.
@@ -114,9 +123,11 @@ typename PathSolver<W>::Path PathSolver<W>::pathFrom(const Vertex& at, const cor
 }
 
 template <int W>
-std::uint32_t PathSolver<W>::cellAt(const tracer::Hit& hit, const Vertex& at, core::Sampler& random) const {
-  // A cell stands for a point only from some way off: near by, its mean light is not that of the point.
-  if (hit.distance < solution_->cellSize()) return LightSolution::none;
+std::uint32_t PathSolver<W>::cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
+                                    core::Sampler& random) const {
+  // A cell stands for a point only from some way off: near by, its mean light is not that of the point. Nor does it
+  // stand for a bright spot that is smaller than it.
+  if (path.onSpot || hit.distance < solution_->cellSize()) return LightSolution::none;
   const std::uint32_t cell = solution_->find(hit.surface, at.point, at.normal);
   if (cell == LightSolution::none || solution_->isRough(cell)) return LightSolution::none;
   // One of the cells about the point, by chance: on average the light between cell centres is interpolated.
@@ -145,12 +156,12 @@ template <int W>
 void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const {
   Meeting met;
   for (int reflections = 1; reflections <= mostReflections; ++reflections) {
-    if (!meet(path, met, rays)) return;
+    if (!meet(path, met, rays) || !weighGuidance(path, met.hit)) return;
     // What lies before the place where the path would have ended is no part of the remainder.
     if (ending != Ending::remainder) addEmitted(sum, path, met.hit);
     const Vertex at = vertexAt(met.hit, path.direction);
     if (ending != Ending::never && met.bsdf->isLambertian()) {
-      if (const std::uint32_t cell = cellAt(met.hit, at, random); cell != LightSolution::none) {
+      if (const std::uint32_t cell = cellAt(path, met.hit, at, random); cell != LightSolution::none) {
         if (ending == Ending::solution && path.white > 0) {
           for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += path.white * solution_->response(cell)[c];
           return;
@@ -172,6 +183,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     if (!met.bsdf->sample(out, random.next2(), met.interface, next, weight.v.data())) return;
     // No roulette at the first reflection: in room R1 that takes a third less time for the same interval.
     if (!goOn(path, met, at, frame, next, weight, reflections > 1, random)) return;
+    if (met.bsdf->isLambertian() && !guide(path, at, random)) return;
   }
 }
 
@@ -215,7 +227,9 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
       if (!bsdf.sample(out, own.next2(), met.interface, start, weight.v.data())) continue;
       Path indirect = path;
       indirect.throughput *= 1.0f / branches;
-      if (goOn(indirect, met, at, frame, start, weight, false, own)) follow(sum, indirect, ending, own, rays);
+      if (goOn(indirect, met, at, frame, start, weight, false, own) &&
+          (!bsdf.isLambertian() || guide(indirect, at, own)))
+        follow(sum, indirect, ending, own, rays);
     }
     break;
   }

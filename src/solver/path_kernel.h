@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reflection/bsdf.h"
+#include "solver/bright_spots.h"
 #include "solver/free_view.h"
 #include "solver/light_list.h"
 #include "solver/light_solution.h"
@@ -89,6 +90,19 @@ class PathSolver : public Solver {
   struct Vertex {
     Vec3 point, start, normal;  ///< start: where rays leave
   };
+  /// Where a ray meets the first diffuse surface, and what the mirrors and glass on the way leave of its light.
+  struct Arrival {
+    bool found = false, filtered = false;
+    std::uint32_t surface = 0;
+    Vertex at;
+    Spectral filter;
+  };
+  /// A direction that was chosen with regard to bright spots, to be weighed once it is known what it meets.
+  struct Guidance {
+    bool pending = false;
+    BrightSpots::Choice choice{};
+    std::uint32_t target = scene::none;  ///< surface that it means to meet; none: chosen by cosine
+  };
   /// A path under way, and what its last connections to the lights have already found.
   struct Path {
     Vec3 origin, direction;
@@ -101,7 +115,9 @@ class PathSolver : public Solver {
     double density = 0;      ///< with which a glossy finish chose this direction; 0: connections found everything
     double share = 1;        ///< a light's nominal probability of being connected to
     Vec3 seenFrom{0};        ///< the last point, as it appears through those mirrors
-    double white = 0;        ///< it carries every wavelength alike, times this; 0: no longer
+    Guidance guidance{};
+    bool onSpot = false;  ///< what it has met is a bright spot
+    double white = 0;     ///< it carries every wavelength alike, times this; 0: no longer
   };
   struct Meeting {
     tracer::Hit hit;
@@ -131,7 +147,8 @@ class PathSolver : public Solver {
   /// Everything that arrives along a path.
   void follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const;
   /// The cell of the solution that answers for a hit, or LightSolution::none.
-  [[nodiscard]] std::uint32_t cellAt(const tracer::Hit& hit, const Vertex& at, core::Sampler& random) const;
+  [[nodiscard]] std::uint32_t cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
+                                     core::Sampler& random) const;
   /// Adds `factor` times what a cell reflects.
   void addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const;
   [[nodiscard]] Ending ending() const { return solution_ != nullptr ? Ending::solution : Ending::never; }
@@ -153,6 +170,15 @@ class PathSolver : public Solver {
   /// Takes the path on in a sampled direction. False: it ends there (Russian roulette).
   bool goOn(Path& path, const Meeting& met, const Vertex& at, const core::Frame& frame,
             const reflection::BsdfSample& next, const Spectral& weight, bool roulette, core::Sampler& random) const;
+  /// Turns the path, with some probability, from the cosine-distributed direction that it has about `at` towards a
+  /// bright spot. False: it would go below the horizon, and ends.
+  bool guide(Path& path, const Vertex& at, core::Sampler& random) const;
+  /// Weighs a guided direction by what it meets. False: it missed what it was meant for, and ends.
+  bool weighGuidance(Path& path, const tracer::Hit& hit) const;
+  void findSpots(double area);
+  /// Follows a ray over mirrors and through glass to the first diffuse surface.
+  [[nodiscard]] Arrival arrive(const Vec3& origin, const Vec3& direction, core::Sampler& random,
+                               std::uint64_t& rays) const;
   void collapse(Path& path) const;
   void chooseHero(Path& path, core::Sampler& random) const;
   /// The hit as a point to shade, on the side that the ray came from.
@@ -175,6 +201,7 @@ class PathSolver : public Solver {
   bool lightsAreFew_ = false, losesCaustics_ = false;
   bool hasMedia_ = false, disperses_ = false;
   FreeView freeView_;
+  BrightSpots spots_;
   double pilotRays_;                         // shadow rays of a receiver's pilot, over all lights
   std::unique_ptr<LightSolution> solution_;  // of solvers that end paths in one
   bool hasPanes_ = false;  ///< something goes straight through, or mirrors differently at different angles

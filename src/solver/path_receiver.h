@@ -66,7 +66,8 @@ std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std:
     if (!entry.fromExact) continue;
     const Response exact = exactResponse(lights_->lights()[entry.light], unoccluded[i].value);
     for (std::size_t c = 0; c < exact.size(); ++c) plan->exact[c] += exact[c];
-    const Response bound = exactResponse(lights_->lights()[entry.light], unoccluded[i].bound);
+    const Response bound =
+        exactResponse(lights_->lights()[entry.light], unoccluded[i].bound + light.rest * unoccluded[i].value);
     for (std::size_t c = 0; c < bound.size(); ++c) plan->quadratureBound[c] += bound[c];
   }
 
@@ -113,7 +114,9 @@ void PathSolver<W>::addPath(Response& sum, const Receiver& receiver, std::uint64
                             Ending ending, std::uint64_t& rays) const {
   core::Sampler random(stream, sample);
   const Vec3 normal = receiver.isPlane() ? receiver.normal : receiver.surfaceNormal(random.next2());
-  Path path = pathFrom(vertexOf(receiver), frameAbout(normal), random);
+  const Vertex from = vertexOf(receiver);
+  Path path = pathFrom(from, frameAbout(normal), random);
+  if (!guide(path, {from.point, from.start, normal}, random)) return;
   follow(sum, path, ending, random, rays);
 }
 

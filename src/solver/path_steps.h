@@ -112,6 +112,32 @@ bool PathSolver<W>::goOn(Path& path, const Meeting& met, const Vertex& at, const
 }
 
 template <int W>
+typename PathSolver<W>::Arrival PathSolver<W>::arrive(const Vec3& origin, const Vec3& direction, core::Sampler& random,
+                                                      std::uint64_t& rays) const {
+  Arrival arrival;
+  Path path{origin, direction, Spectral::filled(1)};
+  chooseHero(path, random);
+  Meeting met;
+  for (int i = 0; i < mostSteps && meet(path, met, rays); ++i) {
+    arrival.at = vertexAt(met.hit, path.direction);
+    if (met.bsdf->isLambertian()) {
+      arrival.found = true;
+      arrival.surface = met.hit.surface;
+      arrival.filtered = i > 0 || hasMedia_;
+      arrival.filter = path.throughput;
+      return arrival;
+    }
+    const core::Frame frame = frameAbout(arrival.at.normal);
+    reflection::BsdfSample next;
+    Spectral weight = Spectral::filled(0);
+    if (!met.bsdf->sample(frame.toLocal(-path.direction), random.next2(), met.interface, next, weight.v.data()) ||
+        !goOn(path, met, arrival.at, frame, next, weight, true, random))
+      return arrival;
+  }
+  return arrival;
+}
+
+template <int W>
 double PathSolver<W>::emittedLuminance(const tracer::Hit& hit, const Vec3& towards, std::uint32_t& spectrum) const {
   const scene::Surface& surface = world_.surfaces[hit.surface];
   if (surface.luminance > 0) {
