@@ -79,7 +79,8 @@ plot::PhotometricSolid photometricSolidOf(const PhotometricFile& file) {
   // The direction of the largest intensity and its mirror images are among them, so that the solid is as long as it is.
   const photometry::IntensityPeak peak = photometry::intensityPeak(*file.distribution);
   const double highest = std::fmod(peak.c, 360);
-  std::set<double> planes{highest, std::fmod(360 - highest, 360), std::fmod(540 - highest, 360), std::fmod(180 + highest, 360)},
+  std::set<double> planes{highest, std::fmod(360 - highest, 360), std::fmod(540 - highest, 360),
+                          std::fmod(180 + highest, 360)},
       gammas{peak.gamma};
   for (double each = 0; each <= 360; each += planeStep) planes.insert(each);
   for (double each = 0; each <= 180; each += gammaStep) gammas.insert(each);
