@@ -35,6 +35,7 @@ class FlatOpening : public OpeningEmitter {
   [[nodiscard]] double elementIntensity(const Vec3&, const Vec3& direction) const override {
     return intensity(direction) / area_;
   }
+  [[nodiscard]] bool isCentred() const override { return true; }
   /// Luminance of the side that `point` sees, when uniform over directions; negative when it is not.
   [[nodiscard]] double uniformSide(const Vec3& point) const {
     if (!output_.distribution) return uniformLuminance_;

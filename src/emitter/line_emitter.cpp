@@ -38,6 +38,7 @@ class LineEmitter final : public OpeningEmitter {
   [[nodiscard]] double roughSolidAngle(const Vec3&) const override { return 0; }
 
   [[nodiscard]] Illuminance illuminance(const Vec3& point, const Vec3& normal, double tolerance) const override {
+    if (const auto far = fromCentre(point, normal, tolerance)) return *far;
     const QuadratureResult sum = integrateSquare(
         [&](const core::Vec2& u) {
           const IncidentLight light = sample(point, u);
@@ -49,6 +50,7 @@ class LineEmitter final : public OpeningEmitter {
   [[nodiscard]] double luminance(const Vec3&, const Vec3&) const override { return 0; }  // has no surface to be seen
 
  protected:
+  [[nodiscard]] bool isCentred() const override { return true; }
   [[nodiscard]] double projectedArea(const Vec3& direction) const override {
     const double cosine = std::min(1.0, std::abs(glm::dot(axis_, direction)));
     return std::sqrt(1 - cosine * cosine);

@@ -11,6 +11,13 @@ namespace goniolux::emitter {
 
 using core::Vec3;
 
+namespace {
+
+// From this many radii on an opening is seen under so small an angle that quadrature begins with its centre.
+constexpr double farRadii = 8;
+
+}  // namespace
+
 OpeningEmitter::OpeningEmitter(const Vec3& center, double boundingRadius, Output output)
     : center_(center), boundingRadius_(boundingRadius), output_(std::move(output)) {
   flux_ = output_.distribution ? output_.scale * output_.distribution->flux() : output_.flux_lm;
@@ -59,7 +66,9 @@ double OpeningEmitter::luminance(const Vec3& normal, const Vec3& direction) cons
 }
 
 Illuminance OpeningEmitter::illuminance(const Vec3& point, const Vec3& normal, double tolerance) const {
+  if (const auto far = fromCentre(point, normal, tolerance)) return *far;
   Illuminance sum;
+  const bool far = glm::length(center_ - point) > farRadii * boundingRadius_;
   for (int patch = 0; patch < patchCount(); ++patch) {
     const auto integrand = [&](const core::Vec2& uv) {
       const Element e = element(patch, uv, point);
@@ -71,7 +80,7 @@ Illuminance OpeningEmitter::illuminance(const Vec3& point, const Vec3& normal, d
       if (cosine <= 0) return 0.0;
       return elementIntensity(e.normal, -direction) * cosine / squared * e.area;
     };
-    const QuadratureResult part = integrateSquare(integrand, tolerance);
+    const QuadratureResult part = integrateSquare(integrand, tolerance, far);
     sum.value += part.value;
     sum.bound += part.bound;
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "emitter/emitter.h"
 
@@ -43,6 +44,13 @@ class OpeningEmitter : public Emitter {
   [[nodiscard]] virtual double elementIntensity(const core::Vec3& normal, const core::Vec3& direction) const;
   /// Called by constructors once projectedArea works: sets the uniform luminance from the surface area that emits.
   void setEmittingArea(double area);
+  /// The opening is the same on both sides of its centre as far as a direction sees it (flat openings and lines do):
+  /// far away its centre may stand for it.
+  [[nodiscard]] virtual bool isCentred() const { return false; }
+  /// All of the light as if it left the centre, where a bound of that error is within `tolerance` (relative); nothing
+  /// elsewhere. It costs one look at the distribution.
+  [[nodiscard]] std::optional<Illuminance> fromCentre(const core::Vec3& point, const core::Vec3& normal,
+                                                      double tolerance) const;
   /// Light of an element chosen with density `pdf` per area.
   [[nodiscard]] IncidentLight fromElement(const core::Vec3& point, const core::Vec3& elementPoint,
                                           const core::Vec3& elementNormal, double pdf) const;

@@ -27,6 +27,12 @@ struct LuminaireFrame {
   }
 };
 
+/// Bounds of how the intensity changes about a direction, cd.
+struct IntensityVariation {
+  double first = 0;  ///< of the difference to any direction within an angle of it
+  double even = 0;   ///< of the mean of the differences to two directions that lie opposite each other about it
+};
+
 /// Immutable once made, therefore thread safe and shared.
 class IntensityDistribution {
  public:
@@ -41,6 +47,11 @@ class IntensityDistribution {
   /// I(gamma) = I0 cos(gamma) for gamma < 90 and 0 beyond: a flat opening then has uniform luminance, and closed forms
   /// apply.
   [[nodiscard]] virtual bool isLambertian() const { return false; }
+  /// Bounds within `angle` (radians, small) of a unit direction of the luminaire frame; nothing where none are known.
+  [[nodiscard]] virtual std::optional<IntensityVariation> variation(const core::Vec3& /*local*/,
+                                                                    double /*angle*/) const {
+    return std::nullopt;
+  }
 };
 
 /// I = I0 cos^n(gamma) for gamma <= 90 degrees, 0 beyond.
@@ -119,6 +130,8 @@ class TabulatedDistribution final : public IntensityDistribution {
   [[nodiscard]] double flux() const override { return flux_; }
   [[nodiscard]] double forwardFlux() const override { return forwardFlux_; }
   [[nodiscard]] double maximumIntensity() const override { return maximum_; }
+  /// Of type C, from the slopes of the cells that the angle reaches; nothing where it reaches the end of the table.
+  [[nodiscard]] std::optional<IntensityVariation> variation(const core::Vec3& local, double angle) const override;
 
   [[nodiscard]] PhotometryType type() const { return type_; }
   [[nodiscard]] HorizontalSymmetry symmetry() const { return symmetry_; }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "core/document.h"
 #include "emitter/near_field.h"
+#include "photometry/metrics.h"
 #include "pipeline/plot.h"
 #include "pipeline/polar.h"
 #include "project/opening_reader.h"
@@ -73,9 +75,17 @@ plot::LineChart cartesianDiagramOf(const PhotometricFile& file) {
 plot::PhotometricSolid photometricSolidOf(const PhotometricFile& file) {
   auto solid = headed<plot::PhotometricSolid>(file, "Photometric solid");
   solid.unit = file.intensityUnit;
-  constexpr double planeStep = 4, gammaStep = 2.5;
-  for (double c = 0; c <= 360; c += planeStep) solid.planes.push_back(c);
-  for (double gamma = 0; gamma <= 180; gamma += gammaStep) solid.gammas.push_back(gamma);
+  constexpr double planeStep = 3, gammaStep = 2;
+  // The direction of the largest intensity and its mirror images are among them, so that the solid is as long as it is.
+  const photometry::IntensityPeak peak = photometry::intensityPeak(*file.distribution);
+  const double highest = std::fmod(peak.c, 360);
+  std::set<double> planes{highest, std::fmod(360 - highest, 360), std::fmod(540 - highest, 360),
+                          std::fmod(180 + highest, 360)},
+      gammas{peak.gamma};
+  for (double each = 0; each <= 360; each += planeStep) planes.insert(each);
+  for (double each = 0; each <= 180; each += gammaStep) gammas.insert(each);
+  solid.planes.assign(planes.begin(), planes.end());
+  solid.gammas.assign(gammas.begin(), gammas.end());
   for (const double c : solid.planes)
     for (const double gamma : solid.gammas) solid.values.push_back(intensityAt(file, c, gamma));
   return solid;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/document.h"
 #include "core/random.h"
@@ -30,6 +31,45 @@ Value withoutLevels(const Value& value) {
   for (const auto& [key, member] : value.object())
     if (key != "dimming" && key != "scenes" && key != "requirements") members.emplace_back(key, withoutLevels(member));
   return members;
+}
+
+void collectTexts(const Value& value, std::set<std::string>& texts) {
+  if (value.isString()) texts.insert(value.string());
+  if (value.isArray())
+    for (const Value& each : value.array()) collectTexts(each, texts);
+  if (value.isObject())
+    for (const auto& [key, member] : value.object()) collectTexts(member, texts);
+}
+
+// The document without the spectra of luminaires and of surfaces that emit; their texts, file names among them, are
+// collected.
+Value withoutLampSpectra(const Value& document, std::set<std::string>& texts) {
+  const auto without = [&](const Value& entry) {
+    if (!entry.isObject()) return entry;
+    Value::Object members;
+    for (const auto& [key, member] : entry.object()) {
+      if (key == "spectrum")
+        collectTexts(member, texts);
+      else
+        members.emplace_back(key, member);
+    }
+    return Value(members);
+  };
+  Value::Object result;
+  for (const auto& [key, section] : document.object()) {
+    if (key == "luminaires" && section.isArray()) {
+      Value::Array list;
+      for (const Value& each : section.array()) list.push_back(without(each));
+      result.emplace_back(key, list);
+    } else if (key == "materials" && section.isObject()) {
+      Value::Object list;
+      for (const auto& [name, each] : section.object()) list.emplace_back(name, without(each));
+      result.emplace_back(key, list);
+    } else {
+      result.emplace_back(key, section);
+    }
+  }
+  return result;
 }
 
 void add(Estimate& sum, const Estimate& part, double level) {
@@ -139,11 +179,17 @@ std::map<std::string, double> dimmingOf(const project::Project& project) {
   return levels;
 }
 
-std::string groupKey(const project::Project& project) {
+std::string groupKey(const project::Project& project, LampSpectra spectra) {
   core::Diagnostics ignored;
-  const Value document = core::parseJson(core::readFile(project.file), project.file, ignored);
+  Value document = core::parseJson(core::readFile(project.file), project.file, ignored);
+  std::set<std::string> lampTexts, otherTexts;
+  if (spectra == LampSpectra::doNotMatter) document = withoutLampSpectra(document, lampTexts);
+  collectTexts(document, otherTexts);
   std::string text = "2 " + core::toJson(withoutLevels(document));  // 2: emitting surfaces are a group of their own
-  for (std::size_t i = 1; i < project.inputs.size(); ++i) text += project.inputs[i].sha256 + "\n";
+  for (std::size_t i = 1; i < project.inputs.size(); ++i) {
+    const std::string& path = project.inputs[i].path;
+    if (!lampTexts.contains(path) || otherTexts.contains(path)) text += project.inputs[i].sha256 + "\n";
+  }
   const project::Settings& s = project.settings;
   text += fmt::format("{} {} {} {} {} {} {} {} {}", s.accuracy.grid, s.accuracy.u0, s.accuracy.confidence, s.solver,
                       s.reflectionModel, s.spectralScheme, s.spectralSamples, s.timeLimit_s.value_or(0), s.seed);

@@ -26,8 +26,11 @@ project::Project onlyGroup(const project::Project& project, const std::string& g
 /// names a group whose luminaires have different ones.
 std::map<std::string, double> dimmingOf(const project::Project& project);
 
+/// What the lamps' spectra do to a key: nothing where results are kept for any lamp (kept_wavelengths.h).
+enum class LampSpectra { matter, doNotMatter };
+
 /// Identifies what the groups' results depend on: every input and setting, but no scene and no dimming.
-std::string groupKey(const project::Project& project);
+std::string groupKey(const project::Project& project, LampSpectra spectra = LampSpectra::matter);
 
 /// The scene with `level` times the results of each group (a group without a level is off). Statistical half-widths of
 /// groups are independent and add in squares, systematic bounds add up. The minimum's half-width is that of its point,

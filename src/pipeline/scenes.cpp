@@ -7,11 +7,13 @@
 #include "core/document.h"
 #include "pipeline/engine.h"
 #include "pipeline/illuminate.h"
+#include "pipeline/kept_wavelengths.h"
 #include "pipeline/outline.h"
 #include "pipeline/requirements.h"
 #include "pipeline/result_files.h"
 #include "pipeline/scene_groups.h"
 #include "pipeline/stages.h"
+#include "pipeline/text_option.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -32,36 +34,100 @@ std::optional<Results> kept(const std::string& path, const std::string& key, con
   return std::nullopt;
 }
 
+enum class Keep { levels, spectra };
+
+Keep keepOf(const StageRequest& request) {
+  const auto found = request.options.find("keep");
+  if (found == request.options.end() || found->second == "levels") return Keep::levels;
+  if (found->second == "spectra") return Keep::spectra;
+  throw core::InputError({}, "bad-option", fmt::format("--keep {}: take levels or spectra", found->second));
+}
+
+// The groups' results, from what was kept or calculated now.
+class Groups {
+ public:
+  Groups(const project::Project& project, std::string folder, core::ProgressSink& progress, StageReport& report)
+      : project_(project), folder_(std::move(folder)), progress_(progress), report_(report) {
+    fs::create_directories(folder_);
+  }
+
+  /// For dimming: as the lamps' spectra are now. False when interrupted.
+  bool forLevels() {
+    const std::string key = groupKey(project_);
+    for (const std::string& group : groupsOf(project_)) {
+      auto found = keptOrCalculated(onlyGroup(project_, group), key, group, project::fileNameFor(group));
+      if (!found) return false;
+      results[group] = std::move(*found);
+    }
+    return true;
+  }
+
+  /// For dimming and other lamps: a calculation per group and wavelength, weighted by the lamps' spectra.
+  bool forSpectra(const KeptWavelengths& light) {
+    const std::string key = groupKey(project_, LampSpectra::doNotMatter);
+    for (const std::string& group : groupsOf(project_)) {
+      const spectrum::SpectralDistribution lamp = lampSpectrumOf(project_, group);
+      std::vector<Results> all;
+      for (const double wavelength : light.wavelengths()) {
+        const std::string name = fmt::format("{} at {:g} nm", group, wavelength);
+        const std::string file = fmt::format("{}-{:g}nm", project::fileNameFor(group), wavelength);
+        auto found = keptOrCalculated(atWavelength(onlyGroup(project_, group), wavelength), key, name, file);
+        if (!found) return false;
+        all.push_back(std::move(*found));
+      }
+      results[group] = light.of(lamp, all, project_);
+      if (light.wavelengths().size() > 1)
+        leftOut.push_back(fmt::format(
+            "wavelengths between the {} kept of group \"{}\": at most {:.2g} % of E with its lamp's spectrum",
+            light.wavelengths().size(), group, 100 * light.with(lamp).error.illuminance));
+    }
+    return true;
+  }
+
+  std::map<std::string, Results> results;
+  std::vector<std::string> leftOut;
+  std::size_t traced = 0, reused = 0;
+
+ private:
+  std::optional<Results> keptOrCalculated(const project::Project& alone, const std::string& key,
+                                          const std::string& name, const std::string& file) {
+    const std::string path = (fs::path(folder_) / (file + ".json")).string();
+    if (auto found = kept(path, key, name)) {
+      ++reused;
+      return found;
+    }
+    progress_.note(fmt::format("group \"{}\" is calculated", name));
+    Results calculated = calculateGrids(alone, Engine(alone, false), progress_);
+    calculated.projectHash = key;
+    calculated.lightingScene = name;
+    ++traced;
+    if (progress_.cancelled()) return std::nullopt;
+    core::writeFile(path, core::toJson(project::toJson(calculated)));
+    report_.files.push_back(path);
+    return calculated;
+  }
+
+  const project::Project& project_;
+  std::string folder_;
+  core::ProgressSink& progress_;
+  StageReport& report_;
+};
+
 StageReport run(const StageRequest& request, core::ProgressSink& progress) {
+  const Keep keep = keepOf(request);
   const project::Project project = readProjectFor(request, AccuracyOf::grids);
   const std::map<std::string, double> dimming = dimmingOf(project);
-  const std::string folder = resultsFolder(request, project), groupFolder = (fs::path(folder) / "groups").string();
-  const std::string key = groupKey(project);
-  fs::create_directories(groupFolder);
+  const std::string folder = resultsFolder(request, project);
 
   StageReport report;
   report.warnings = project.warnings;
-  std::map<std::string, Results> groups;
-  std::size_t traced = 0;
-  for (const std::string& group : groupsOf(project)) {
-    const std::string path = (fs::path(groupFolder) / (project::fileNameFor(group) + ".json")).string();
-    if (auto results = kept(path, key, group)) {
-      groups[group] = std::move(*results);
-      continue;
-    }
-    progress.note(fmt::format("group \"{}\" is calculated", group));
-    const project::Project alone = onlyGroup(project, group);
-    Results results = calculateGrids(alone, Engine(alone, false), progress);
-    results.projectHash = key;
-    results.lightingScene = group;
-    ++traced;
-    if (progress.cancelled()) {
-      report.unfinished = true;
-      return report;
-    }
-    core::writeFile(path, core::toJson(project::toJson(results)));
-    report.files.push_back(path);
-    groups[group] = std::move(results);
+  Groups groups(project, (fs::path(folder) / "groups").string(), progress, report);
+  const bool whole = keep == Keep::spectra
+                         ? groups.forSpectra(KeptWavelengths(project, scene::buildWorld(project.environment)))
+                         : groups.forLevels();
+  if (!whole) {
+    report.unfinished = true;
+    return report;
   }
 
   // The project as it stands, then its scenes.
@@ -74,14 +140,15 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
     scenes.emplace_back(scene.name, levels);
   }
   Value::Array documents;
-  report.text = fmt::format("{}: {} groups, {} calculated now, {} kept\n", project.name, groups.size(), traced,
-                            groups.size() - traced);
+  report.text = fmt::format("{}: {} groups{}, {} calculated now, {} kept\n", project.name, groups.results.size(),
+                            keep == Keep::spectra ? " by wavelengths" : "", groups.traced, groups.reused);
   for (const auto& [name, levels] : scenes) {
-    Results results = superposed(groups, levels);
+    Results results = superposed(groups.results, levels);
     results.lightingScene = name;
     results.projectHash = project.hash;
     results.inputs = project.inputs;
     results.requirements = judge(project, results);
+    results.leftOut.insert(results.leftOut.end(), groups.leftOut.begin(), groups.leftOut.end());
     if (!project.observers.empty())
       results.leftOut.emplace_back(
           "glare ratings: they do not add up over groups; calculate a scene by "
@@ -98,8 +165,8 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
                                  grid.name, grid.mean.value, grid.mean.halfWidth(), grid.unit, grid.min.value,
                                  grid.min.halfWidth(), grid.u0.value, grid.u0.halfWidth());
   }
-  report.json.set("groups_calculated", static_cast<double>(traced));
-  report.json.set("groups_kept", static_cast<double>(groups.size() - traced));
+  report.json.set("groups_calculated", static_cast<double>(groups.traced));
+  report.json.set("groups_kept", static_cast<double>(groups.reused));
   report.json.set("scenes", documents);
   return report;
 }
@@ -114,8 +181,13 @@ Stage scenesStage() {
       "Calculates the grids once for each group of luminaires alone and adds them up for the project's own dimming and "
       "for every lighting scene. What a group gives is kept in groups/ of the results folder: after a change of "
       "dimming "
-      "levels or scenes nothing is traced anew. Scenes go to scenes/NAME.";
+      "levels or scenes nothing is traced anew; with --keep spectra nothing is after a change of lamp spectra either. "
+      "Scenes go to scenes/NAME.";
   stage.inputName = "PROJECT";
+  stage.options = {textOption("keep", "for what changes the groups are kept", "levels",
+                              "levels: dimming; spectra: dimming and lamp spectra, from one calculation per group and "
+                              "wavelength (where finishes are coloured: some ten times the work, once)",
+                              false)};
   stage.run = run;
   return stage;
 }

@@ -152,6 +152,14 @@ Plan makePlan(const project::Project& project, const scene::World& world, bool f
   if (world.chordError > 0)
     plan.leftOut.push_back({"the difference between splines or parametric surfaces and their facets", world.chordError,
                             "m of their place"});
+  const auto isTube = [](const scene::Luminaire& each) {
+    return each.opening.shape == emitter::Opening::Shape::tube || each.opening.shape == emitter::Opening::Shape::line;
+  };
+  const auto& luminaires = project.environment.luminaires;
+  if (std::any_of(luminaires.begin(), luminaires.end(), isTube))
+    plan.leftOut.push_back(
+        {"end effects of tubes: the last centimetres before the electrodes are taken to be as bright as the rest", 0,
+         "not modelled"});
   plan.leftOut.push_back({"fluorescence, polarisation, and air (no absorption or scattering)", 0, "not modelled"});
   return plan;
 }

@@ -58,6 +58,16 @@ SpectralChoice wavelengthsOf(const spectrum::SpectralScheme& scheme, int count, 
   return choice;
 }
 
+SpectralChoice atWavelengths(const std::vector<double>& wavelengths, const std::vector<Finish>& finishes,
+                             const std::vector<spectrum::SpectralDistribution>& sources,
+                             const SpectralAllowance& allowance) {
+  const SpectralErrors errors(finishes, sources);
+  SpectralChoice choice;
+  choice.quadrature = spectrum::adaptedWeights(wavelengths, errors.control(), fittedPaths(errors, allowance));
+  choice.error = errors.of(choice.quadrature);
+  return choice;
+}
+
 SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
                                  const std::vector<spectrum::SpectralDistribution>& sources,
                                  const SpectralAllowance& allowance) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "planner/spectral_error.h"
 #include "spectrum/schemes.h"
@@ -32,6 +33,12 @@ SpectralChoice chooseWavelengths(const std::vector<Finish>& finishes,
 /// A scheme by name (spectrum/schemes.h) with a number of samples that it can have; the allowance tells adapted nodes
 /// what to favour.
 SpectralChoice wavelengthsOf(const spectrum::SpectralScheme& scheme, int count, const std::vector<Finish>& finishes,
+                             const std::vector<spectrum::SpectralDistribution>& sources,
+                             const SpectralAllowance& allowance);
+
+/// Weights for wavelengths (nm, ascending) that are given, whatever they were chosen for, and how good they are for
+/// these sources.
+SpectralChoice atWavelengths(const std::vector<double>& wavelengths, const std::vector<Finish>& finishes,
                              const std::vector<spectrum::SpectralDistribution>& sources,
                              const SpectralAllowance& allowance);
 

@@ -97,6 +97,7 @@ class LuminaireReader {
     const auto aim = section.direction("aim"), c0 = section.direction("c0");
     turn_ = section.number("turn").value_or(0) * core::degree;
     if ((section.has("aim") && !aim) || (section.has("c0") && !c0)) return false;
+    if (section.has("rotation") || section.has("tilt")) return readRotationAndTilt(section, luminaire);
     const core::Vec3 forward = aim.value_or(core::Vec3(0, 0, -1));
     core::Vec3 side = c0.value_or(core::Vec3(1, 0, 0));
     if (parallel(forward, side)) {
@@ -108,6 +109,22 @@ class LuminaireReader {
       side = {0, 1, 0};
     }
     luminaire.frame = frameOf(forward, side, turn_);
+    return true;
+  }
+
+  // As a fitting is set on site: turned about the vertical, then tilted towards where its C0 now lies.
+  bool readRotationAndTilt(SectionReader& section, scene::Luminaire& luminaire) {
+    const double rotated = section.number("rotation").value_or(0) * core::degree;
+    const double tilt = section.number("tilt").value_or(0) * core::degree;
+    for (const char* other : {"aim", "c0"}) {
+      if (!section.has(other)) continue;
+      section.refuse(other, "aimed-twice",
+                     fmt::format("\"rotation\" and \"tilt\" aim the luminaire; leave out \"{}\", or them", other));
+      return false;
+    }
+    const core::Vec3 across(std::cos(rotated), std::sin(rotated), 0), up(0, 0, 1);
+    luminaire.frame =
+        frameOf(across * std::sin(tilt) - up * std::cos(tilt), across * std::cos(tilt) + up * std::sin(tilt), turn_);
     return true;
   }
 

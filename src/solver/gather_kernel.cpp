@@ -17,7 +17,7 @@ constexpr std::size_t exploringRays = 12;
 constexpr std::size_t mostCells = 200000;
 // Of a cell's points' direct light, relative to all its light: above this spread the mean stands for none of them.
 constexpr double roughSpread = 0.35;
-constexpr double lookTolerance = 1e-2;
+constexpr double lookTolerance = 3e-2;
 constexpr double solveTolerance = 1e-4;
 // Lights beyond this number are sampled by importance.
 constexpr std::size_t fewLights = 32;

@@ -13,7 +13,8 @@ namespace {
 // than these can see spoils at most a share of that accuracy.
 constexpr double pilotRaysTimesAccuracy = 5.12;
 constexpr std::uint32_t pilotPaths = 16;
-constexpr double quadratureTolerance = 1e-4;
+// Relative; what is left is estimated and stated as "source_subdivision".
+constexpr double quadratureTolerance = 3e-4;
 
 /// As Emitter::importance(), for light from any direction.
 inline double importanceAllAround(const emitter::Emitter& emitter, const core::Vec3& point) {

@@ -47,6 +47,18 @@ class Search {
     }
   }
 
+  SpectralQuadrature at(const std::vector<double>& wavelengths) {
+    const std::vector<double>& known = control_.wavelengths;
+    std::vector<std::size_t> nodes;
+    for (const double wanted : wavelengths) {
+      auto next = std::lower_bound(known.begin(), known.end(), wanted);
+      if (next == known.end() || (next != known.begin() && wanted - *(next - 1) < *next - wanted)) --next;
+      nodes.push_back(static_cast<std::size_t>(next - known.begin()));
+    }
+    nodes_ = apart(std::move(nodes));
+    return result();
+  }
+
   SpectralQuadrature run() {
     std::vector<std::size_t> best;
     double least = std::numeric_limits<double>::infinity();
@@ -283,6 +295,14 @@ SpectralQuadrature adaptedQuadrature(int count, const SpectralQuadrature& contro
                                      const std::vector<LightPath>& paths) {
   assert(count >= 1 && static_cast<std::size_t>(count) <= control.wavelengths.size());
   return Search(count, control, paths).run();
+}
+
+SpectralQuadrature adaptedWeights(const std::vector<double>& wavelengths, const SpectralQuadrature& control,
+                                  const std::vector<LightPath>& paths) {
+  assert(!wavelengths.empty() && wavelengths.size() <= control.wavelengths.size());
+  SpectralQuadrature quadrature = Search(static_cast<int>(wavelengths.size()), control, paths).at(wavelengths);
+  quadrature.wavelengths = wavelengths;
+  return quadrature;
 }
 
 }  // namespace goniolux::spectrum

@@ -28,4 +28,9 @@ inline constexpr double darkestShare = 0.02;
 /// Deterministic; takes some milliseconds.
 SpectralQuadrature adaptedQuadrature(int count, const SpectralQuadrature& control, const std::vector<LightPath>& paths);
 
+/// The same with nodes that are given (nm, ascending, one at least; each stands for the control's wavelength next to
+/// it): only the weights are fitted.
+SpectralQuadrature adaptedWeights(const std::vector<double>& wavelengths, const SpectralQuadrature& control,
+                                  const std::vector<LightPath>& paths);
+
 }  // namespace goniolux::spectrum

@@ -1,6 +1,8 @@
 // Every photometric file of the shared corpus, against the fluxes of an independent reader (reference.tsv).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -122,6 +124,51 @@ TEST_F(Corpus, EveryUnreadableFileIsRefusedAtALine) {
     }
   }
   EXPECT_GE(files, 70);
+}
+
+// Files that state lumens: how the table agrees, file by file. A luminaire's own flux is held to 2 %, lamp lumens to
+// what a luminaire can make of them (20 to 102 %); a file that leaves that has the warning, and no other has.
+TEST_F(Corpus, EveryFileThatStatesLumensSaysHowItsTableAgrees) {
+  int ofLuminaire = 0, agreeing = 0, ofLamps = 0, possible = 0;
+  for (const Row& row : rows_) {
+    if (row.at("readable") != "1" || row.at("kind") == "tm33-xml") continue;
+    SCOPED_TRACE(row.at("file"));
+    const PhotometricFile file = read(row);
+    const double flux = file.distribution->flux();
+    bool expected = false;
+    std::string said;
+    if (file.declaredLuminaireLumens) {
+      const double ratio = flux / *file.declaredLuminaireLumens;
+      ++ofLuminaire;
+      const bool apart = std::abs(ratio - 1) > 0.02 * std::max(ratio, 1.0);
+      agreeing += !apart;
+      expected = expected || apart;
+      said += fmt::format(" {:.2f} % of the luminaire's {:g} {}", 100 * ratio, *file.declaredLuminaireLumens,
+                          file.fluxUnit);
+    }
+    if (file.declaredLumens) {
+      const double ratio = flux / *file.declaredLumens;
+      ++ofLamps;
+      possible += ratio >= 0.2 && ratio <= 1.02;
+      expected = expected || ratio < 0.2 || ratio > 1.02;
+      said += fmt::format(" {:.1f} % of the lamps' {:g} {}", 100 * ratio, *file.declaredLumens, file.fluxUnit);
+    }
+    if (said.empty()) continue;
+    std::cout << row.at("file") << ":" << said << "\n";
+    const auto& all = file.warnings.all();
+    EXPECT_EQ(std::any_of(all.begin(), all.end(),
+                          [](const auto& d) {
+                            return d.rule == "flux-declared" || d.rule == "flux-above-lamps" ||
+                                   d.rule == "flux-below-lamps";
+                          }),
+              expected && flux > 0)
+        << said;
+  }
+  std::cout << agreeing << " of " << ofLuminaire
+            << " files agree with the luminaire's flux that they state within 2 %; " << possible << " of " << ofLamps
+            << " give between 20 and 102 % of their lamps' flux\n";
+  EXPECT_GT(ofLuminaire, 50);
+  EXPECT_GT(ofLamps, 100);
 }
 
 // The reference has no fluxes for TM-33: each is confirmed by quadrature, and stands beside what the file declares.

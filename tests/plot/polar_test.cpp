@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/luminaire_figures.h"
@@ -86,6 +87,17 @@ TEST(LuminaireFigures, OfEveryKindAreDrawnAndReadBack) {
   core::Diagnostics warnings;
   EXPECT_THROW(drawLuminaire(file, "round", (folder.path() / "x.svg").string(), warnings), core::InputError);
   EXPECT_THROW(nearFieldChartOf(sample({0})), core::InputError);  // no opening
+}
+
+// The legend's end is the largest intensity that the title states, in whatever plane it lies.
+TEST(PhotometricSolid, IsAsLongAsTheLargestIntensityOfItsFile) {
+  for (const char* name : {"traced-batten-reflector.ldt", "traced-spot-barn-doors.ies", "street.ldt",
+                           "floodlight-b.ies", "searchlight-a.ies", "wall-washer.ies", "downlight-15.ies"}) {
+    const auto file = photometry::readPhotometricFile(std::string(GONIOLUX_SOURCE_DIR) + "/luminaires/" + name);
+    const plot::PhotometricSolid solid = photometricSolidOf(file);
+    const double largest = *std::max_element(solid.values.begin(), solid.values.end());
+    EXPECT_NEAR(largest / file.distribution->maximumIntensity(), 1, 1e-9) << name;
+  }
 }
 
 TEST(PolarDiagram, SaysWhenItCannotBeDrawnAndRefusesOtherEndings) {

@@ -67,6 +67,22 @@ TEST_F(ProjectReader, LuminaireFrameFollowsTheFormat) {
   expectNear(turned.c90, {1, 0, 0});
 }
 
+TEST_F(ProjectReader, RotationAndTiltAimALuminaireAsItIsSetOnSite) {
+  const auto frame = [&](const std::string& keys) {
+    return luminaire("\"photometry\": \"isotropic\", \"flux\": 1, \"position\": [1,1,1], " + keys).frame;
+  };
+  // Turned to +y, then 30 degrees up from the nadir towards it.
+  const auto set = frame("\"rotation\": 90, \"tilt\": 30");
+  expectNear(set.aim, {0, 0.5, -std::sqrt(0.75)});
+  expectNear(set.c0, {0, std::sqrt(0.75), 0.5});
+  expectNear(set.c90, {-1, 0, 0});
+  const auto same = frame("\"aim\": [0, 0.5, -0.8660254037844386], \"c0\": [0, 0.8660254037844386, 0.5]");
+  expectNear(set.c90, same.c90);
+  expectNear(frame("\"rotation\": 30").c0, {std::sqrt(0.75), 0.5, 0});
+  expectNear(frame("\"tilt\": 180").aim, {0, 0, 1});
+  EXPECT_THROW(frame("\"tilt\": 20, \"aim\": [1, 0, 0]"), core::InputError);
+}
+
 TEST_F(ProjectReader, FluxScalesTheDistribution) {
   const auto cosine = luminaire("\"photometry\": \"cosine\", \"flux\": 3600, \"position\": [1,1,1]");
   EXPECT_NEAR(cosine.distribution->flux() * cosine.scale, 3600, 1e-9);

@@ -190,6 +190,26 @@ void traceRay(const Fixture& fixture, const scene::World& world, const tracer::T
   }
 }
 
+constexpr std::uint32_t noiseParts = 16;
+
+// Largest relative standard error of the sum of equal parts, among values above a tenth of the largest.
+double noiseOf(const std::vector<Bins>& parts) {
+  std::vector<std::vector<double>> tables;
+  for (const Bins& part : parts) tables.push_back(part.candelas());
+  const auto n = static_cast<double>(parts.size());
+  std::vector<double> sums(tables.front().size(), 0.0), errors(sums.size(), 0.0);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (const auto& table : tables) sums[i] += table[i];
+    for (const auto& table : tables) errors[i] += (table[i] - sums[i] / n) * (table[i] - sums[i] / n);
+    errors[i] = std::sqrt(errors[i] * n / (n - 1));  // of the sum
+  }
+  const double largest = *std::max_element(sums.begin(), sums.end());
+  double noise = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i] > 0.1 * largest) noise = std::max(noise, errors[i] / sums[i]);
+  return noise;
+}
+
 }  // namespace
 
 TracedLight trace(const Fixture& fixture, int logRays) {
@@ -206,7 +226,7 @@ TracedLight trace(const Fixture& fixture, int logRays) {
   const std::uint32_t rays = 1u << logRays;
   const double flux = fixture.lampFlux / rays;
   // Packets of rays, summed in their order.
-  constexpr std::uint32_t packet = 1u << 14;
+  const std::uint32_t packet = std::min(1u << 14, std::max(1u, rays / noiseParts));
   const std::size_t packets = std::max<std::size_t>(1, rays / packet);
   std::vector<Sum> sums(packets, Sum{Bins(fixture)});
   core::parallelFor(packets, 1, [&](std::size_t begin, std::size_t end) {
@@ -217,10 +237,12 @@ TracedLight trace(const Fixture& fixture, int logRays) {
       }
   });
   Sum sum{Bins(fixture)};
-  for (const Sum& part : sums) {
-    sum.bins.add(part.bins);
-    sum.left += part.left;
-    sum.hits += part.hits;
+  std::vector<Bins> parts(noiseParts, Bins(fixture));
+  for (std::size_t p = 0; p < packets; ++p) {
+    sum.bins.add(sums[p].bins);
+    sum.left += sums[p].left;
+    sum.hits += sums[p].hits;
+    parts[p * noiseParts / packets].add(sums[p].bins);
   }
   using photometry::PhotometryType;
   using photometry::TabulatedDistribution;
@@ -231,7 +253,7 @@ TracedLight trace(const Fixture& fixture, int logRays) {
   const double unit = std::pow(10, std::floor(std::log10(*std::max_element(candelas.begin(), candelas.end()))) - 3);
   for (double& value : candelas) value = std::round(value / unit) * unit;
   return {std::make_shared<const TabulatedDistribution>(PhotometryType::c, fixture.planes, fixture.gammas, candelas),
-          sum.left / fixture.lampFlux, sum.hits / rays};
+          sum.left / fixture.lampFlux, sum.hits / rays, packets < noiseParts ? 1 : noiseOf(parts)};
 }
 
 }  // namespace goniolux::traced

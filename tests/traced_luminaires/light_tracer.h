@@ -13,6 +13,9 @@ struct TracedLight {
   std::shared_ptr<const photometry::TabulatedDistribution> distribution;  ///< cd
   double outputRatio = 0;                                                 ///< flux that leaves over lamp flux
   double averageHits = 0;                                                 ///< of surfaces per ray
+  /// Largest relative standard error of a value of the table that is above a tenth of the largest one, from sixteen
+  /// parts of the rays.
+  double noise = 0;
 };
 
 /// 2^`logRays` rays, the same on every machine that computes alike and for any number of threads. A direction counts

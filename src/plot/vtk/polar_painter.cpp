@@ -92,7 +92,8 @@ void PolarPainter::paint(Ink& ink) const {
     ink.rectangle(place - half, place + half, white, 220);
     ink.text(text, place, style);
   }
-  for (std::size_t k = diagram_.curves.size(); k-- > 0;) {
+  // The dashed one on top: where both are one, it shows both.
+  for (std::size_t k = 0; k < diagram_.curves.size(); ++k) {
     Polyline line;
     for (const auto& [angle, value] : diagram_.curves[k].points) {
       if (std::abs(angle) <= upTo_) line.push_back(at(angle, value));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/levels.h"
 #include "plot/number_text.h"
 
 namespace goniolux::plot {
@@ -18,6 +19,8 @@ using Align = TextStyle::Align;
 const double turn = 30 * core::degree, tilt = 22 * core::degree;
 const Vec3 light = glm::normalize(Vec3(-0.4, 0.5, 0.75));  // page frame: right, up, towards the reader
 constexpr double left = 40, top = 150, bottom = 110;
+constexpr double shadow = 0.72;
+constexpr double finestColour = 0.02;  // step of the intensity, of the largest, that a strip of one colour may span
 constexpr double planeHalf = 0.5, axisLength = 0.62;  // in units of the largest intensity
 
 // Page frame of a direction (C0, C90, up).
@@ -63,8 +66,11 @@ void SolidPainter::paintAxis(Ink& ink, const Vec3& direction, const char* name) 
   const Vec3 end = projected(direction);
   ink.line({origin_, {end.x, end.y}}, grey, 1.4);
   const Vec2 outwards = Vec2(end.x, end.y) - origin_;
-  ink.text(name, Vec2(end.x, end.y) + outwards * (22 / std::max(glm::length(outwards), 1.0)),
-           {16, true, grey, 0, Align::center});
+  const TextStyle style{16, true, grey, 0, Align::center};
+  const Vec2 place = Vec2(end.x, end.y) + outwards * (26 / std::max(glm::length(outwards), 1.0));
+  const Vec2 room = textSize(name, style) / 2.0 + 3.0;
+  ink.rectangle(place - room, place + room, white, 220);  // it may stand before the solid
+  ink.text(name, place, style);
 }
 
 void SolidPainter::paint(Ink& ink) const {
@@ -90,23 +96,33 @@ void SolidPainter::paint(Ink& ink) const {
   const Palette& palette = *findPalette("viridis");
   for (std::size_t h = 0; h + 1 < solid_.planes.size(); ++h)
     for (std::size_t v = 0; v + 1 < solid_.gammas.size(); ++v) {
-      const Vec3 corners[] = {corner(h, v), corner(h, v + 1), corner(h + 1, v + 1), corner(h + 1, v)};
-      const Vec3 across = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
-      if (glm::length(across) < 1e-12) continue;
-      Vec3 normal = toPage(across);
-      normal = glm::normalize(normal.z < 0 ? -normal : normal);
-      const double shade = 0.45 + 0.55 * std::max(0.0, glm::dot(normal, light));
-      double radius = 0;
-      Facet facet{0, {}, {}};
-      for (const Vec3& at : corners) {
-        const Vec3 page = projected(at);
-        facet.corners.emplace_back(page.x, page.y);
-        facet.depth += page.z;
-        radius += 0.25 * glm::length(at);
+      const Vec3 cell[] = {corner(h, v), corner(h, v + 1), corner(h + 1, v + 1), corner(h + 1, v)};
+      // In strips where the intensity changes much, so that colours go over into each other.
+      const double change = std::max(std::abs(glm::length(cell[1]) - glm::length(cell[0])),
+                                     std::abs(glm::length(cell[2]) - glm::length(cell[3])));
+      const int strips = 1 + static_cast<int>(change / finestColour);
+      for (int strip = 0; strip < strips; ++strip) {
+        const double from = static_cast<double>(strip) / strips, to = static_cast<double>(strip + 1) / strips;
+        const Vec3 corners[] = {glm::mix(cell[0], cell[1], from), glm::mix(cell[0], cell[1], to),
+                                glm::mix(cell[3], cell[2], to), glm::mix(cell[3], cell[2], from)};
+        const Vec3 across = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
+        if (glm::length(across) < 1e-12) continue;
+        Vec3 normal = toPage(across);
+        normal = glm::normalize(normal.z < 0 ? -normal : normal);
+        // Light enough that colours are still those of the legend.
+        const double shade = shadow + (1 - shadow) * std::max(0.0, glm::dot(normal, light));
+        double radius = 0;
+        Facet facet{0, {}, {}};
+        for (const Vec3& at : corners) {
+          const Vec3 page = projected(at);
+          facet.corners.emplace_back(page.x, page.y);
+          facet.depth += page.z;
+          radius += 0.25 * glm::length(at);
+        }
+        const Rgb base = colourAt(palette, radius);
+        for (std::size_t i = 0; i < 3; ++i) facet.colour[i] = static_cast<std::uint8_t>(std::lround(base[i] * shade));
+        (solid_.gammas[v] + solid_.gammas[v + 1] > 180 ? above : below).push_back(std::move(facet));
       }
-      const Rgb base = colourAt(palette, radius);
-      for (std::size_t i = 0; i < 3; ++i) facet.colour[i] = static_cast<std::uint8_t>(std::lround(base[i] * shade));
-      (solid_.gammas[v] + solid_.gammas[v + 1] > 180 ? above : below).push_back(std::move(facet));
     }
   const auto paintAll = [&](std::vector<Facet>& facets) {
     std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth < b.depth; });
@@ -126,15 +142,23 @@ void SolidPainter::paint(Ink& ink) const {
   paintAxis(ink, {-axisLength, 0, 0}, "C180");
   paintAxis(ink, {0, -axisLength, 0}, "C270");
   paintAll(above);
-  // Colours by intensity.
-  const double barLeft = left, barWidth = 300, barLow = 62, barHigh = 80;
-  constexpr int steps = 60;
+  // Colours by intensity: round values, and the largest at the end of the bar.
+  const double barLeft = left, barWidth = 420, barLow = 66, barHigh = 84;
+  constexpr int steps = 84;
   for (int i = 0; i < steps; ++i)
     ink.rectangle({barLeft + barWidth * i / steps, barLow}, {barLeft + barWidth * (i + 1) / steps + 0.5, barHigh},
                   colourAt(palette, (i + 0.5) / steps));
-  ink.text("0", {barLeft, 48}, {15, false, black, 0, Align::left});
-  ink.text(fmt::format("{} {}", levelText(largest_), solid_.unit), {barLeft + barWidth, 48},
-           {15, false, black, 0, Align::right});
+  const TextStyle plain{15, false, black, 0, Align::center};
+  const std::string end = fmt::format("{} {}", levelText(largest_), solid_.unit);
+  const double endLeft = barLeft + barWidth - textSize(levelText(largest_), plain).x;
+  for (const double tick : axisTicks(0, largest_, 4)) {
+    const double x = barLeft + barWidth * tick / largest_;
+    if (x + textSize(levelText(tick), plain).x > endLeft) continue;
+    ink.line({{x, barLow - 5}, {x, barLow}}, grey, 1);
+    ink.text(levelText(tick), {x, 50}, tick == 0 ? TextStyle{15, false, black, 0, Align::left} : plain);
+  }
+  ink.line({{barLeft + barWidth, barLow - 5}, {barLeft + barWidth, barLow}}, grey, 1);
+  ink.text(end, {endLeft, 50}, {15, false, black, 0, Align::left});
   ink.text(solid_.footer, {left, 22}, fitting(solid_.footer, {12, false, grey}, width() - 2 * left));
 }
 
