@@ -3,6 +3,8 @@
 // solution's bias is known and taken away, not assumed small.
 #pragma once
 
+#include <unordered_map>
+
 #include "solver/path_kernel.h"
 
 namespace goniolux::solver {
@@ -26,10 +28,11 @@ class GatherSolver final : public PathSolver<W> {
   using typename Base::Vertex;
 
   struct Arrival {
-    bool found = false, filtered = false;
+    bool found = false, filtered = false, textured = false;
     std::uint32_t surface = 0;
     Vertex at;
     Spectral filter;
+    Spectral reflectance{};  ///< of a textured finish there
   };
   /// Follows a ray over mirrors and through glass to the first diffuse surface.
   [[nodiscard]] Arrival arrive(const Vec3& origin, const Vec3& direction, core::Sampler& random,
@@ -44,6 +47,12 @@ class GatherSolver final : public PathSolver<W> {
   void setResponses();
 
   std::vector<Spectral> reflectance_;  // per material; 0 where it does not follow Lambert's law
+  /// Of cells with a texture: the mean over the places where rays have met them.
+  struct TexturedCell {
+    Spectral sum{};
+    int count = 0;
+  };
+  std::unordered_map<std::uint32_t, TexturedCell> texturedCells_;
   std::size_t linksPerCell_;
 };
 
