@@ -21,7 +21,7 @@ using core::Vec3;
 
 constexpr int raysPerPlace = 4096, placesPerGrid = 4;
 constexpr std::size_t mostEdges = 2'000'000;  // followed through other surfaces
-constexpr std::size_t mostPairs = 5;          // of surfaces that run through each other, named one by one
+constexpr std::size_t mostPairs = 3;          // of surfaces that run through each other, named one by one
 constexpr int sidesOfRound = 24;
 constexpr double nearest = 0.02;  // m: closer than that before a luminaire, a surface is no furniture
 
@@ -143,17 +143,19 @@ class Rays {
           followEdge(i, place(t[k]), place(t[(k + 1) % 3]), pairs);
         }
     }
+    if (pairs.empty()) return;
+    std::string list;
     std::size_t listed = 0;
     for (const auto& [pair, where] : pairs) {
       if (listed++ == mostPairs) break;
       const scene::Object &first = objects[pair.first], &second = objects[pair.second];
-      found_.warning(second.position, "intersecting",
-                     fmt::format("\"{}\" and \"{}\" (line {}) run through each other at {}{}", second.name, first.name,
-                                 first.position.line, placeText(where + world_.origin),
-                                 listed == mostPairs && pairs.size() > mostPairs
-                                     ? fmt::format("; so do {} pairs more", pairs.size() - mostPairs)
-                                     : ""));
+      list += fmt::format("{}\"{}\" (line {}) and \"{}\" (line {}) at {}", listed > 1 ? "; " : "", first.name,
+                          first.position.line, second.name, second.position.line, placeText(where + world_.origin));
     }
+    if (pairs.size() > mostPairs) list += fmt::format("; and {} pairs more", pairs.size() - mostPairs);
+    const auto& [pair, where] = *pairs.begin();
+    found_.warning(objects[pair.second].position, "intersecting",
+                   "surfaces run through each other: " + list + "; among opaque objects no light is lost");
   }
 
  private:
@@ -172,10 +174,24 @@ class Rays {
       const std::uint32_t object = world_.surfaces[hit.surface].object;
       const auto away = [&](const Vec3& end) { return std::abs(glm::dot(end - hit.position, hit.normal)); };
       if (object != scene::none && object != own && away(from) > depth && away(to) > depth &&
-          !project_.environment.objects[object].facesInward)
+          !project_.environment.objects[object].facesInward && isPierced(object, hit, d, depth))
         pairs.try_emplace({std::min(own, object), std::max(own, object)}, hit.position);
       origin = from + d * (along + 2 * tracer_.slack());
     }
+  }
+
+  // All about the hit, too, an edge that runs the same way would meet the object: what touches along a border does not.
+  [[nodiscard]] bool isPierced(std::uint32_t object, const tracer::Hit& hit, const Vec3& d, double depth) const {
+    Vec3 x, y;
+    core::perpendiculars(d, x, y);
+    const double steepness = std::max(0.05, std::abs(glm::dot(d, hit.normal))), reach = 2 * depth / steepness;
+    for (const Vec3& aside : {x, -x, y, -y}) {
+      tracer::Hit other;
+      if (!tracer_.intersect(hit.position + depth * aside - reach * d, d, other) || other.distance > 2 * reach ||
+          world_.surfaces[other.surface].object != object)
+        return false;
+    }
+    return true;
   }
 
   // Where a ray leaves the box about everything.
