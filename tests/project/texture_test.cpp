@@ -22,8 +22,11 @@ class Textures : public test::ProjectFixture {
   void writePicture(const std::string& name, int width, int height, std::uint16_t red = 200) {
     display::CodeImage image;
     image.width = width, image.height = height;
+    const bool isTiff = name.ends_with(".tif");  // written with 16 bits
+    image.bits = isTiff ? 16 : 8;
     for (int i = 0; i < width * height; ++i)
-      for (const int code : {int(red), 120, i % 2 ? 40 : 60}) image.rgb.push_back(static_cast<std::uint16_t>(code));
+      for (const int code : {int(red), 120, i % 2 ? 40 : 60})
+        image.rgb.push_back(static_cast<std::uint16_t>(isTiff ? 257 * code : code));
     display::writePicture((folder_.path() / name).string(), image, display::readDevice("srgb"));
   }
 };
