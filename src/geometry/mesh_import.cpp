@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -171,14 +172,23 @@ void nameParts(const std::vector<Label>& labels, Shape& shape) {
   for (const std::string& name : shape.partNames) shape.partGroups.erase(name);
 }
 
-// The importer (assimp 5.2) reads on for ever in a PLY file that ends within its header.
-void checkPlyHeader(const FileName& name) {
+// The importer (assimp 5.2) reads on for ever in a PLY file that ends within its header, and for minutes in one that
+// promises thousands of millions of elements.
+void checkPlyHeader(const FileName& name, std::uintmax_t bytes) {
   std::ifstream file(name.path, std::ios::binary);
   std::string line;
   for (int number = 1; number < 1000 && std::getline(file, line); ++number) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (number == 1 && line != "ply")
       throw std::invalid_argument(name.path + ":1: is no PLY file: it does not begin with \"ply\"");
+    if (line.starts_with("element ")) {
+      const double count = std::strtod(line.c_str() + line.find_last_of(" \t"), nullptr);
+      if (!(count >= 0 && count <= double(bytes)))
+        throw std::invalid_argument(
+            fmt::format("{}:{}: promises {} elements, more than a file of {} bytes can hold; "
+                        "export it again",
+                        name.path, number, line.substr(line.find_last_of(" \t") + 1), bytes));
+    }
     if (line == "end_header" && file.peek() != std::ifstream::traits_type::eof()) return;
   }
   name.refuse("ends within its header; export it again");
@@ -196,7 +206,7 @@ void checkFile(const FileName& name) {
   const std::uintmax_t bytes = std::filesystem::file_size(name.path, failure);
   if (bytes == 0) name.refuse("is empty");
   if (bytes > maximumBytes) name.refuse("is larger than 1 GB; decimate the mesh");
-  if (extension == ".ply") checkPlyHeader(name);
+  if (extension == ".ply") checkPlyHeader(name, bytes);
   if (isGltf(name.path)) checkGltf(name.path);
 }
 
