@@ -47,14 +47,24 @@ void writePicture(const std::string& path, const CodeImage& image, const Device&
   }
 }
 
-CodeImage readPicture(const std::string& path) {
+void checkPixels(double width, double height, double most, const std::string& path) {
+  if (width * height <= most) return;
+  throw core::InputError(
+      {path, 0, 0}, "too-large",
+      fmt::format("the picture has {:.0f} x {:.0f} pixels, more than the {:.0f} million that are read "
+                  "here; make it smaller",
+                  width, height, most / 1e6));
+}
+
+CodeImage readPicture(const std::string& path, double most) {
   const std::string bytes = core::readFile(path);
   const std::string_view start = std::string_view(bytes).substr(0, 4);
-  if (start == "\x89PNG") return decodePng(bytes, path);
+  if (start == "\x89PNG") return decodePng(bytes, path, most);
   if (start == "SDPX" || start == "XPDS") return decodeDpx(bytes, path);
-  if (start.starts_with("II") || start.starts_with("MM")) return decodeTiff(bytes, path);
+  if (start.starts_with("II") || start.starts_with("MM")) return decodeTiff(bytes, path, most);
+  if (start.starts_with("\xFF\xD8")) return decodeJpeg(bytes, path, most);
   throw core::InputError({path, 0, 0}, "picture-format",
-                         "this is no picture of code values that can be read; give a PNG, TIFF or DPX file");
+                         "this is no picture of code values that can be read; give a PNG, TIFF, JPEG or DPX file");
 }
 
 }  // namespace goniolux::display

@@ -28,11 +28,18 @@ std::string encodeDpx(const CodeImage& image, const Device& device);
 /// Encodes and writes; an earlier file stays whole until the new one is. core::RunError when it cannot be written.
 void writePicture(const std::string& path, const CodeImage& image, const Device& device);
 
-/// Code values of a PNG, TIFF or DPX file of three channels (a fourth is left out, grey is copied); core::InputError
-/// for others and damaged ones, naming `path`.
-CodeImage readPicture(const std::string& path);
-CodeImage decodePng(std::string_view bytes, const std::string& path);
-CodeImage decodeTiff(std::string_view bytes, const std::string& path);
+/// What a reader takes unless told otherwise: a few kilobytes of a compressed file can promise gigabytes.
+inline constexpr double mostPixels = 1e8;
+
+/// Code values of a PNG, TIFF, JPEG or DPX file of three channels (a fourth is left out, grey is copied);
+/// core::InputError for others, damaged ones and those of more than `most` pixels, naming `path`.
+CodeImage readPicture(const std::string& path, double most = mostPixels);
+CodeImage decodePng(std::string_view bytes, const std::string& path, double most = mostPixels);
+CodeImage decodeTiff(std::string_view bytes, const std::string& path, double most = mostPixels);
+CodeImage decodeJpeg(std::string_view bytes, const std::string& path, double most = mostPixels);
 CodeImage decodeDpx(std::string_view bytes, const std::string& path);
+
+/// core::InputError for a picture of more than `most` pixels.
+void checkPixels(double width, double height, double most, const std::string& path);
 
 }  // namespace goniolux::display

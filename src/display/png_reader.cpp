@@ -14,6 +14,7 @@ constexpr png_uint_32 largestSide = 65536;
 
 struct Source {
   std::string_view bytes;
+  double mostPixels = 0;
   std::size_t position = 0;
 };
 
@@ -38,13 +39,14 @@ bool decode(png_structp png, png_infop info, Source& source, CodeImage& image, s
   const png_uint_32 width = png_get_image_width(png, info), height = png_get_image_height(png, info);
   // Deflate packs at most 1 : 1032.
   if (static_cast<double>(width) * height > 1100.0 * 8 * static_cast<double>(source.bytes.size())) return false;
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  if (static_cast<double>(width) * height > source.mostPixels) return false;
   if (png_get_interlace_type(png, info) != PNG_INTERLACE_NONE) return false;
   png_set_expand(png);
   png_set_gray_to_rgb(png);
   png_set_strip_alpha(png);
   png_read_update_info(png, info);
-  image.width = static_cast<int>(width);
-  image.height = static_cast<int>(height);
   image.bits = png_get_bit_depth(png, info);
   const std::size_t values = 3 * static_cast<std::size_t>(width);
   if (png_get_rowbytes(png, info) != values * (image.bits == 16 ? 2 : 1)) return false;
@@ -59,16 +61,18 @@ bool decode(png_structp png, png_infop info, Source& source, CodeImage& image, s
 
 }  // namespace
 
-CodeImage decodePng(std::string_view bytes, const std::string& path) {
-  Source source{bytes};
+CodeImage decodePng(std::string_view bytes, const std::string& path, double most) {
+  Source source{bytes, most};
   CodeImage image;
   std::vector<png_byte> row;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   const bool done = info != nullptr && decode(png, info, source, image, row);
   png_destroy_read_struct(&png, &info, nullptr);
-  if (!done)
+  if (!done) {
+    checkPixels(image.width, image.height, most, path);
     throw core::InputError({path, 0, 0}, "damaged-picture", "the PNG picture is damaged or interlaced; write it anew");
+  }
   return image;
 }
 

@@ -8,7 +8,7 @@
 
 namespace goniolux::display {
 
-CodeImage decodeTiff(std::string_view bytes, const std::string& path) {
+CodeImage decodeTiff(std::string_view bytes, const std::string& path, double most) {
   const auto refuse = [&](std::string message) {
     throw core::InputError({path, 0, 0}, "damaged-picture", std::move(message));
   };
@@ -30,6 +30,7 @@ CodeImage decodeTiff(std::string_view bytes, const std::string& path) {
       static_cast<double>(width) * height * 3 > 1100.0 * static_cast<double>(bytes.size()))
     refuse(fmt::format("the file promises {} x {} pixels, which {} bytes cannot hold; it is damaged", width, height,
                        bytes.size()));
+  checkPixels(width, height, most, path);
   const std::size_t rowBytes = static_cast<std::size_t>(width) * samples * (bits / 8U);
   if (static_cast<std::size_t>(TIFFScanlineSize(tiff.get())) != rowBytes)
     refuse("the TIFF picture is damaged; write it anew");

@@ -42,8 +42,9 @@ std::vector<Use> usesOfEdges(const Mesh& mesh) {
   return uses;
 }
 
-void flip(std::array<std::uint32_t, 3>& triangle) {
-  std::swap(triangle[1], triangle[2]);
+void flip(Mesh& mesh, std::size_t i) {
+  std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+  if (!mesh.coordinates.empty()) std::swap(mesh.coordinates[i][1], mesh.coordinates[i][2]);
 }
 
 struct CellHash {
@@ -61,11 +62,13 @@ std::size_t removeIf(Mesh& mesh, const Condition& condition) {
     if (condition(mesh.triangles[i])) continue;
     mesh.triangles[kept] = mesh.triangles[i];
     mesh.parts[kept] = mesh.parts[i];
+    if (!mesh.coordinates.empty()) mesh.coordinates[kept] = mesh.coordinates[i];
     ++kept;
   }
   const std::size_t dropped = mesh.triangles.size() - kept;
   mesh.triangles.resize(kept);
   mesh.parts.resize(kept);
+  if (!mesh.coordinates.empty()) mesh.coordinates.resize(kept);
   return dropped;
 }
 
@@ -171,17 +174,17 @@ EdgeReport orientOutward(Mesh& mesh) {
       Mesh part;
       part.vertices = mesh.vertices;
       for (const std::uint32_t i : shell) {
-        if (state[i] == turned) flip(mesh.triangles[i]);
+        if (state[i] == turned) flip(mesh, i);
         part.triangles.push_back(mesh.triangles[i]);
       }
       if (signedVolume(part) < 0) {
-        for (const std::uint32_t i : shell) flip(mesh.triangles[i]);
+        for (const std::uint32_t i : shell) flip(mesh, i);
       }
     }
     report = checkEdges(mesh);
   }
   if (report.watertight() && signedVolume(mesh) < 0) {
-    for (auto& t : mesh.triangles) flip(t);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) flip(mesh, i);
   }
   return report;
 }

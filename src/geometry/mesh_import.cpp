@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -105,20 +106,30 @@ class Collector {
         ring.push_back(first + face.mIndices[k]);
       }
       if (turned) std::reverse(ring.begin(), ring.end());
-      addFace(ring, known.first->second);
+      addFace(ring, known.first->second, source.mTextureCoords[0], first);
     }
     if (mesh.triangles.size() > maximumTriangles) {
       name_.refuse(fmt::format("has more than {} million triangles; decimate the mesh", maximumTriangles / 1'000'000));
     }
   }
 
-  void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t part) {
-    mesh.triangles.push_back({a, b, c});
+  // `coordinates`: of the vertices from number `first` on, or null.
+  void addTriangle(const std::array<std::uint32_t, 3>& t, std::uint32_t part, const aiVector3D* coordinates,
+                   std::uint32_t first) {
+    if (coordinates != nullptr && mesh.coordinates.empty()) mesh.coordinates.resize(mesh.triangles.size());
+    mesh.triangles.push_back(t);
     mesh.parts.push_back(part);
+    if (coordinates == nullptr && mesh.coordinates.empty()) return;
+    auto& corners = mesh.coordinates.emplace_back();
+    for (std::size_t k = 0; k < 3 && coordinates != nullptr; ++k) {
+      const aiVector3D& uv = coordinates[t[k] - first];
+      if (std::isfinite(uv.x) && std::isfinite(uv.y)) corners[k] = {uv.x, uv.y};
+    }
   }
 
-  void addFace(const std::vector<std::uint32_t>& ring, std::uint32_t part) {
-    if (ring.size() == 3) return addTriangle(ring[0], ring[1], ring[2], part);
+  void addFace(const std::vector<std::uint32_t>& ring, std::uint32_t part, const aiVector3D* coordinates,
+               std::uint32_t first) {
+    if (ring.size() == 3) return addTriangle({ring[0], ring[1], ring[2]}, part, coordinates, first);
     std::vector<Vec3> corners;
     for (const std::uint32_t vertex : ring) corners.push_back(mesh.vertices[vertex]);
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -128,7 +139,7 @@ class Collector {
       // Warped or crossing faces are common in scanned and sculpted models; a fan is what other programs draw there.
       for (std::uint32_t k = 1; k + 1 < ring.size(); ++k) triangles.push_back({0, k, k + 1});
     }
-    for (const auto& t : triangles) addTriangle(ring[t[0]], ring[t[1]], ring[t[2]], part);
+    for (const auto& t : triangles) addTriangle({ring[t[0]], ring[t[1]], ring[t[2]]}, part, coordinates, first);
   }
 
   const aiScene& scene_;
@@ -161,14 +172,23 @@ void nameParts(const std::vector<Label>& labels, Shape& shape) {
   for (const std::string& name : shape.partNames) shape.partGroups.erase(name);
 }
 
-// The importer (assimp 5.2) reads on for ever in a PLY file that ends within its header.
-void checkPlyHeader(const FileName& name) {
+// The importer (assimp 5.2) reads on for ever in a PLY file that ends within its header, and for minutes in one that
+// promises thousands of millions of elements.
+void checkPlyHeader(const FileName& name, std::uintmax_t bytes) {
   std::ifstream file(name.path, std::ios::binary);
   std::string line;
   for (int number = 1; number < 1000 && std::getline(file, line); ++number) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (number == 1 && line != "ply")
       throw std::invalid_argument(name.path + ":1: is no PLY file: it does not begin with \"ply\"");
+    if (line.starts_with("element ")) {
+      const double count = std::strtod(line.c_str() + line.find_last_of(" \t"), nullptr);
+      if (!(count >= 0 && count <= double(bytes)))
+        throw std::invalid_argument(
+            fmt::format("{}:{}: promises {} elements, more than a file of {} bytes can hold; "
+                        "export it again",
+                        name.path, number, line.substr(line.find_last_of(" \t") + 1), bytes));
+    }
     if (line == "end_header" && file.peek() != std::ifstream::traits_type::eof()) return;
   }
   name.refuse("ends within its header; export it again");
@@ -186,7 +206,7 @@ void checkFile(const FileName& name) {
   const std::uintmax_t bytes = std::filesystem::file_size(name.path, failure);
   if (bytes == 0) name.refuse("is empty");
   if (bytes > maximumBytes) name.refuse("is larger than 1 GB; decimate the mesh");
-  if (extension == ".ply") checkPlyHeader(name);
+  if (extension == ".ply") checkPlyHeader(name, bytes);
   if (isGltf(name.path)) checkGltf(name.path);
 }
 

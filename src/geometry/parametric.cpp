@@ -42,6 +42,11 @@ void addPatch(const BsplineSurface& surface, int steps, Mesh& mesh) {
       const std::uint32_t a = first + i * side + j, b = a + side, c = b + 1, d = a + 1;
       mesh.triangles.push_back({a, b, c});
       mesh.triangles.push_back({a, c, d});
+      const auto at = [&](std::uint32_t u, std::uint32_t v) {
+        return glm::vec2(float(u) / float(steps), float(v) / float(steps));
+      };
+      mesh.coordinates.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.coordinates.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
 }

@@ -35,6 +35,7 @@ Shape makeRectangle(const core::Vec3& origin, const core::Vec3& u, const core::V
   shape.mesh.vertices = {origin, origin + u, origin + u + v, origin + v};
   shape.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   shape.mesh.parts = {0, 0};
+  shape.mesh.coordinates = {{{{0, 0}, {1, 0}, {1, 1}}}, {{{0, 0}, {1, 1}, {0, 1}}}};
   return shape;
 }
 

@@ -17,6 +17,11 @@ struct Mesh {
   std::vector<core::Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> parts;
+  /// (u, v) of each triangle's corners for textures, where the shape or its file has them; else empty
+  /// (geometry/texture_coordinates.h).
+  std::vector<std::array<glm::vec2, 3>> coordinates = {};
+  /// Normals of each triangle's corners that make it look round in pictures (geometry/smooth_normals.h); else empty.
+  std::vector<std::array<core::Vec3f, 3>> smoothNormals = {};
 };
 
 /// A bounded surface in canonical space, placed by an affine map and intersected exactly in canonical space: quadrics

@@ -1,9 +1,11 @@
 // Material: a named finish: which reflection model, with which spectral curves and numbers. No algorithm.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/diagnostics.h"
 #include "spectrum/spectral_distribution.h"
@@ -22,6 +24,11 @@ struct Material {
   std::map<std::string, spectrum::SpectralDistribution> spectra;  ///< by the model's parameter keys, e.g. "diffuse"
   std::map<std::string, double> numbers;                          ///< e.g. "gloss"
   std::optional<Emission> emission;
+  /// A textured finish is mixed of these from place to place; its own curves are then their mean, for whatever does not
+  /// look at places.
+  std::vector<Material> components = {};
+  std::vector<double> shares = {};                    ///< of each component over the whole texture
+  std::optional<std::uint32_t> texture, relief = {};  ///< index into scene::Environment::textures, reliefs
   core::SourcePosition position;
 };
 

@@ -76,7 +76,8 @@ Stage checkStage() {
   stage.help =
       "Reads a project and every file that it refers to, and lists all errors and warnings with their places: faults "
       "of the "
-      "files; holes in the room, coincident surfaces, slivers, open glass, luminaires and grid points inside objects, "
+      "files; holes in the room, coincident surfaces and such that run through each other, slivers, open glass, "
+      "luminaires and grid points inside objects or in their faces, "
       "luminaires behind surfaces, objects that reach out of the room, an absurd scale.";
   stage.inputName = "PROJECT";
   core::Parameter fix;

@@ -18,7 +18,8 @@ void findInGeometry(const project::Project& project, core::Diagnostics& found);
 /// The coincident surfaces alone; what has too many triangles to be searched is named in `found`.
 std::vector<geometry::Coincidence> coincidencesOf(const project::Project& project, core::Diagnostics& found);
 
-/// Holes that rays escape through (from luminaires and grids), and luminaires that look at a surface right before them.
+/// Holes that rays escape through (from luminaires and grids), luminaires that look at a surface right before them,
+/// grid points that lie in a face, and surfaces that run through each other.
 void findByRays(const project::Project& project, core::Diagnostics& found);
 
 /// "(1.25, 0, 3) m"

@@ -61,7 +61,8 @@ class GridStage {
         result.excluded.push_back(i);
         continue;
       }
-      const Vec3 point = engine_.tracer.clearOfCorners(grid.points[i] - engine_.world.origin, grid.normals[i]);
+      const Vec3 free = outOfFaces(grid.points[i], grid.normals[i]);
+      const Vec3 point = engine_.tracer.clearOfCorners(free - engine_.world.origin, grid.normals[i]);
       receivers.push_back({point, grid.normals[i], quantity.body, grid.axis});
       index.push_back(i);
     }
@@ -97,6 +98,24 @@ class GridStage {
     for (const auto& solid : solids_)
       if (solid.contains(point)) return true;
     return false;
+  }
+
+  // A point in the side of a solid, where rounding would decide whether it is inside, belongs to the free side.
+  [[nodiscard]] Vec3 outOfFaces(Vec3 point, const Vec3& normal) const {
+    constexpr int directions = 8;
+    const double step = std::max(2 * engine_.tracer.slack(), 4e-6);  // m; beyond the margin of contains()
+    Vec3 x, y;
+    core::perpendiculars(normal, x, y);
+    for (const auto& solid : solids_) {
+      Vec3 inward(0);
+      for (int k = 0; k < directions; ++k) {
+        const double angle = 2 * core::pi * k / directions;
+        const Vec3 d = x * std::cos(angle) + y * std::sin(angle);
+        if (solid.contains(point + step * d)) inward += d;
+      }
+      if (const double length = glm::length(inward); length > 1e-6) point -= inward * (step / length);
+    }
+    return point;
   }
 
   void fill(project::GridResult& result, const analysis::GridEstimate& e, const std::vector<std::size_t>& index) const {

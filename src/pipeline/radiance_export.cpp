@@ -74,6 +74,7 @@ class Writer {
   void material(std::size_t index) {
     const material::Material& m = world_.materials[index];
     materialNames_.push_back(identifier("m", m.name, index));
+    if (m.texture) warn(m.position, fmt::format("the texture of \"{}\" is written as its mean", m.name));
     const auto curve = [&](const char* key) { return m.spectra.find(key); };
     if (const auto diffuse = curve("diffuse"); diffuse != m.spectra.end()) {
       if (m.model != "lambert")

@@ -92,7 +92,11 @@ std::vector<Finish> finishesOf(const scene::World& world) {
   std::vector<Finish> finishes;
   double total = 0;
   for (std::size_t i = 0; i < world.materials.size(); ++i) {
-    for (const SpectralDistribution& factor : factorsOf(world.materials[i], world.radius)) {
+    std::vector<SpectralDistribution> factors = factorsOf(world.materials[i], world.radius);
+    // Of a textured finish also what it is made of: light meets each of them somewhere.
+    for (const material::Material& component : world.materials[i].components)
+      for (SpectralDistribution& factor : factorsOf(component, world.radius)) factors.push_back(std::move(factor));
+    for (const SpectralDistribution& factor : factors) {
       const auto same = std::find_if(finishes.begin(), finishes.end(),
                                      [&](const Finish& known) { return known.reflectance == factor; });
       if (same == finishes.end())

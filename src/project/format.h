@@ -92,6 +92,8 @@ const Section& horizontalFieldSection();
 const Section& transformStepSection();
 const Section& rotationSection();
 const Section& shearSection();
+const Section& textureSection();
+const Section& bumpSection();
 /// SPECTRUM as an object: which of its keys stand together is checked by the reader.
 const Section& spectrumSection();
 const Section& photometrySection();
@@ -116,6 +118,9 @@ const std::vector<MaterialForm>& materialForms();
 /// An object type of the geometry registry with its parameters as an object's keys, besides those that every object
 /// has.
 Section objectSection(const geometry::ObjectType& type);
+
+/// Several objects that are placed together: "shape": "group".
+const Section& groupSection();
 
 /// Photometry by name instead of a file.
 const std::vector<std::string>& builtInPhotometry();

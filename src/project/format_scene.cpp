@@ -26,6 +26,12 @@ Section materialSection(std::vector<Key> parameters) {
                   .minimum = 0,
                   .unit = "lm/m²"});
   keys.push_back({.name = "spectrum", .form = Form::source, .help = "of the emission", .minimum = 0});
+  keys.push_back({.name = "texture",
+                  .form = Form::section,
+                  .help = "another finish, or a picture's colours, from place to place",
+                  .section = &textureSection()});
+  keys.push_back(
+      {.name = "bump", .form = Form::section, .help = "a relief, seen in pictures", .section = &bumpSection()});
   return {"a material", std::move(keys)};
 }
 
@@ -122,6 +128,12 @@ Section objectSection(const geometry::ObjectType& type) {
        {.name = "materials", .form = Form::partMaterials, .help = "material by part; \"*\" = all others"},
        {.name = "transform", .form = Form::transform, .help = "steps, applied one after the other"},
        {.name = "array", .form = Form::section, .help = "several of it in rows", .section = &arraySection()},
+       {.name = "smooth",
+        .form = Form::number,
+        .help = "edges of its triangles that bend by less look round in pictures; numbers stay those of the flat faces",
+        .minimum = 0,
+        .maximum = 180,
+        .unit = "°"},
        {.name = "facing", .form = Form::choice, .help = "inward: a room", .choices = {"outward", "inward"}}}};
   for (const core::Parameter& parameter : type.parameters) {
     section.keys.push_back({.name = parameter.key,
@@ -133,6 +145,21 @@ Section objectSection(const geometry::ObjectType& type) {
                             .minimumIsAllowed = parameter.minimumIsAllowed,
                             .unit = parameter.unit});
   }
+  return section;
+}
+
+const Section& groupSection() {
+  static const Section section{
+      "a group",
+      {{.name = "name", .form = Form::text, .help = "for messages and plots; its objects are NAME/OBJECT"},
+       {.name = "shape",
+        .form = Form::choice,
+        .help = "Objects placed together",
+        .required = true,
+        .choices = {"group"}},
+       {.name = "objects", .form = Form::objects, .help = "what belongs to it; groups, too", .required = true},
+       {.name = "transform", .form = Form::transform, .help = "of all of them, after their own"},
+       {.name = "array", .form = Form::section, .help = "several of it in rows", .section = &arraySection()}}};
   return section;
 }
 

@@ -84,7 +84,9 @@ void readMaterial(material::Material& material, const core::Value& value, Readin
   SectionReader section(value, form->section, reading);
   for (const Key& key : form->section.keys) {
     const core::Value* given = section.find(key.name);
-    if (!given || key.name == "model" || key.name == "exitance_lm_m2" || key.name == "spectrum") continue;
+    if (!given || key.name == "model" || key.name == "exitance_lm_m2" || key.name == "spectrum" ||
+        key.form == Form::section)
+      continue;
     if (key.form == Form::number) {
       if (const auto number = section.number(key.name)) material.numbers[key.name] = *number;
     } else if (key.form == Form::boolean) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "core/closest_name.h"
+#include "geometry/smooth_normals.h"
 #include "project/arguments_reader.h"
 #include "project/section_reader.h"
 #include "project/transform_reader.h"
@@ -17,6 +19,7 @@ namespace {
 std::vector<std::string> shapeNames() {
   std::vector<std::string> names;
   for (const geometry::ObjectType& type : geometry::objectTypes()) names.push_back(type.name);
+  names.emplace_back("group");
   return names;
 }
 
@@ -142,6 +145,8 @@ std::optional<scene::Object> readObject(const core::Value& value, std::size_t nu
     reading.adopt(error);
     return std::nullopt;
   }
+  if (const auto crease = section.number("smooth"); crease && !object.shape.mesh.triangles.empty())
+    geometry::addSmoothNormals(object.shape.mesh, *crease * core::degree);
   for (const std::string& remark : object.shape.remarks) reading.warning(value, "shape", remark);
   if (object.facesInward && !object.shape.closed) {
     section.refuse("facing", "not-closed",
@@ -151,66 +156,135 @@ std::optional<scene::Object> readObject(const core::Value& value, std::size_t nu
   return object;
 }
 
-/// The object, or every element of its array: of small meshes as objects of their own; large ones stay one object with
-/// copies, so that their triangles are held once.
-void addWithArray(const core::Value& value, scene::Object object, std::vector<scene::Object>& objects,
-                  Reading& reading) {
-  constexpr std::size_t mostSeparate = 100'000;  // triangles
+/// Where the elements of an array stand, as further transforms in the world; one place without an array. Empty after an
+/// error. `names` gets "[i,j]" for each.
+std::vector<core::Mat4> placesOfArray(const core::Value& value, std::vector<std::string>& names, Reading& reading) {
   constexpr double mostElements = 1e6;
   const core::Value* array = value.find("array");
   if (!array) {
-    objects.push_back(std::move(object));
-    return;
+    names = {""};
+    return {core::Mat4(1.0)};
   }
   SectionReader section(*array, arraySection(), reading);
   const auto counts = section.isObject() ? section.counts("counts") : std::nullopt;
-  if (!counts) return;
+  if (!counts) return {};
   const auto u = section.point("u"), v = section.point("v");
   const auto [along, across] = *counts;
   if ((along > 1 && !u) || (across > 1 && !v)) {
     section.refuse("counts", "missing-step",
                    "several in a row need the step from one to the next: \"u\", and \"v\" for rows");
-    return;
+    return {};
   }
   if (double(along) * across > mostElements) {
     section.refuse("counts", "too-many", "an array has at most a million elements");
-    return;
+    return {};
   }
-  const bool separate = object.facesInward || object.shape.mesh.triangles.size() * static_cast<std::size_t>(along) *
-                                                      static_cast<std::size_t>(across) <=
-                                                  mostSeparate;
-  const core::Mat4 first = object.transform;
+  std::vector<core::Mat4> places;
   for (int j = 0; j < across; ++j) {
     for (int i = 0; i < along; ++i) {
-      core::Mat4 place = first;
-      place[3] += glm::dvec4(double(i) * u.value_or(core::Vec3(0)) + double(j) * v.value_or(core::Vec3(0)), 0);
-      if (separate) {
-        objects.push_back(object);
-        objects.back().transform = place;
-        objects.back().name = fmt::format("{}[{},{}]", object.name, i, j);
-      } else if (i > 0 || j > 0) {
-        object.copies.push_back(place);
-      }
+      core::Mat4 place(1.0);
+      place[3] = {double(i) * u.value_or(core::Vec3(0)) + double(j) * v.value_or(core::Vec3(0)), 1};
+      places.push_back(place);
+      names.push_back(fmt::format("[{},{}]", i, j));
     }
   }
-  if (!separate) objects.push_back(std::move(object));
+  return places;
 }
+
+/// Objects placed together, or every element of their array: of small meshes as objects of their own; large ones stay
+/// one object with copies, so that their triangles are held once however deep groups are nested.
+void addPlaced(const core::Value& value, std::vector<scene::Object> together, const std::string& name,
+               const core::Mat4& transform, std::vector<scene::Object>& objects, Reading& reading) {
+  constexpr std::size_t mostSeparate = 100'000;  // triangles
+  constexpr std::size_t mostObjects = 2'000'000;
+  std::vector<std::string> suffixes;
+  std::vector<core::Mat4> places = placesOfArray(value, suffixes, reading);
+  const bool isArray = value.find("array") != nullptr;
+  for (core::Mat4& place : places) place = place * transform;
+  if (objects.size() + places.size() * together.size() > mostObjects) {
+    reading.error(value, "too-many", "the scene has more than two million objects; make the arrays smaller");
+    return;
+  }
+  std::vector<scene::Object> apart, shared;
+  for (scene::Object& object : together) {
+    const bool separate =
+        places.size() == 1 || object.facesInward ||
+        object.shape.mesh.triangles.size() * places.size() * (object.copies.size() + 1) <= mostSeparate;
+    (separate ? apart : shared).push_back(std::move(object));
+  }
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    for (const scene::Object& object : apart) {
+      scene::Object& placed = objects.emplace_back(object);
+      placed.transform = places[p] * object.transform;
+      for (core::Mat4& copy : placed.copies) copy = places[p] * copy;
+      if (isArray) placed.name = object.name.substr(0, name.size()) + suffixes[p] + object.name.substr(name.size());
+    }
+  }
+  for (scene::Object& object : shared) {
+    const std::vector<core::Mat4> own = scene::placesOf(object);
+    object.copies.clear();
+    for (const core::Mat4& place : places)
+      for (const core::Mat4& at : own) object.copies.push_back(place * at);
+    object.transform = object.copies.front();
+    object.copies.erase(object.copies.begin());
+    objects.push_back(std::move(object));
+  }
+}
+
+class ObjectsReader {
+ public:
+  ObjectsReader(const std::vector<material::Material>& materials, Reading& reading)
+      : materials_(materials), reading_(reading) {}
+
+  std::vector<scene::Object> read(const core::Value& section, int depth) {
+    std::vector<scene::Object> objects;
+    if (!section.isArray() || section.array().empty()) {
+      reading_.error(section, "wrong-type", "\"objects\" must be a list with at least one object");
+      return objects;
+    }
+    for (std::size_t i = 0; i < section.array().size(); ++i) {
+      const core::Value& value = section.array()[i];
+      const core::Value* shape = value.isObject() ? value.find("shape") : nullptr;
+      if (shape != nullptr && shape->isString() && shape->string() == "group") {
+        readGroup(value, i, depth, objects);
+      } else if (auto object = readObject(value, i, materials_, reading_)) {
+        const std::string name = object->name;
+        std::vector<scene::Object> alone;
+        alone.push_back(std::move(*object));
+        const core::Mat4 own = std::exchange(alone.front().transform, core::Mat4(1.0));
+        addPlaced(value, std::move(alone), name, own, objects, reading_);
+      }
+    }
+    return objects;
+  }
+
+ private:
+  void readGroup(const core::Value& value, std::size_t number, int depth, std::vector<scene::Object>& objects) {
+    constexpr int deepest = 32;
+    SectionReader section(value, groupSection(), reading_);
+    const core::Value* members = section.find("objects");
+    if (!section.isObject() || members == nullptr) return;
+    if (depth >= deepest) {
+      section.refuse("objects", "too-deep", fmt::format("groups are nested at most {} deep", deepest));
+      return;
+    }
+    const std::string name = section.text("name").value_or(fmt::format("group {}", number + 1));
+    std::vector<scene::Object> together = read(*members, depth + 1);
+    for (scene::Object& object : together) object.name = name + "/" + object.name;
+    const core::Value* steps = section.find("transform");
+    addPlaced(value, std::move(together), name, steps ? readTransform(*steps, reading_) : core::Mat4(1.0), objects,
+              reading_);
+  }
+
+  const std::vector<material::Material>& materials_;
+  Reading& reading_;
+};
 
 }  // namespace
 
 std::vector<scene::Object> readObjects(const core::Value& section, const std::vector<material::Material>& materials,
                                        Reading& reading) {
-  std::vector<scene::Object> objects;
-  if (!section.isArray() || section.array().empty()) {
-    reading.error(section, "wrong-type", "\"objects\" must be a list with at least one object");
-    return objects;
-  }
-  for (std::size_t i = 0; i < section.array().size(); ++i) {
-    const core::Value& value = section.array()[i];
-    if (auto object = readObject(value, i, materials, reading))
-      addWithArray(value, std::move(*object), objects, reading);
-  }
-  return objects;
+  return ObjectsReader(materials, reading).read(section, 0);
 }
 
 }  // namespace goniolux::project

@@ -17,6 +17,7 @@
 #include "project/scene_checks.h"
 #include "project/section_reader.h"
 #include "project/settings_reader.h"
+#include "project/texture_reader.h"
 #include "project/view_reader.h"
 
 namespace goniolux::project {
@@ -121,7 +122,10 @@ void readSections(const core::Value& root, Project& project, const Overrides& ov
   project.units = section.choice("units").value_or("m");
   reading.metresPerUnit = metresIn(project.units);
   scene::Environment& environment = project.environment;
-  if (const auto* materials = section.find("materials")) environment.materials = readMaterials(*materials, reading);
+  if (const auto* materials = section.find("materials")) {
+    environment.materials = readMaterials(*materials, reading);
+    readTextures(*materials, environment, reading);
+  }
   if (const auto* objects = section.find("objects"))
     environment.objects = readObjects(*objects, environment.materials, reading);
   if (const auto* luminaires = section.find("luminaires")) readLuminaires(*luminaires, environment, reading);

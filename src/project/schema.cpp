@@ -155,6 +155,7 @@ Value objectSchema() {
   for (const geometry::ObjectType& shape : geometry::objectTypes()) {
     shapes.push_back(chosenBy("shape", shape.name, objectSection(shape)));
   }
+  shapes.push_back(chosenBy("shape", "group", groupSection()));
   return anyOf(std::move(shapes));
 }
 

@@ -15,6 +15,7 @@
 #include "core/vector.h"
 #include "material/material.h"
 #include "spectrum/spectral_quadrature.h"
+#include "texture/mixture.h"
 
 namespace goniolux::reflection {
 
@@ -23,6 +24,7 @@ struct Interface {
   const float* indexHere = nullptr;    ///< refractive index on the viewer's side at the nodes; null: 1 everywhere
   const float* indexBeyond = nullptr;  ///< on the other side; null: 1 everywhere
   std::size_t hero = 0;                ///< the node whose index decides where refracted light goes
+  const texture::Mixture* mixture = nullptr;  ///< of a textured finish at the hit; null: its mean
 
   [[nodiscard]] double here(std::size_t k) const { return indexHere ? static_cast<double>(indexHere[k]) : 1.0; }
   [[nodiscard]] double beyond(std::size_t k) const { return indexBeyond ? static_cast<double>(indexBeyond[k]) : 1.0; }
@@ -80,6 +82,8 @@ class Bsdf {
   virtual void straightTransmittance(double cosine, float* values) const;
   /// The part of the hemispherical reflectance that follows Lambert's law, for solutions of diffuse interreflection.
   virtual void diffuseReflectance(float* values) const;
+  /// The same at a hit, of a textured finish.
+  virtual void diffuseReflectanceAt(const Interface&, float* values) const { diffuseReflectance(values); }
   /// True when evaluate() is diffuseReflectance() / pi and nothing else happens.
   [[nodiscard]] virtual bool isLambertian() const { return false; }
   /// What fills a closed shape with this finish; null: nothing that light goes through.
@@ -111,5 +115,9 @@ struct ReflectionModel {
 
 const std::vector<ReflectionModel>& reflectionModels();
 const ReflectionModel* findReflectionModel(const std::string& name);
+
+/// The finish's distribution function: by its model, or of a textured finish the mixture of its components. Its model
+/// must be one of the registry.
+std::unique_ptr<Bsdf> makeBsdf(const material::Material& material, const spectrum::SpectralQuadrature& quadrature);
 
 }  // namespace goniolux::reflection

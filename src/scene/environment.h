@@ -14,6 +14,7 @@
 #include "material/material.h"
 #include "photometry/intensity_distribution.h"
 #include "spectrum/spectral_distribution.h"
+#include "texture/texture.h"
 
 namespace goniolux::scene {
 
@@ -52,6 +53,8 @@ struct Luminaire {
 
 struct Environment {
   std::vector<material::Material> materials;
+  std::vector<std::shared_ptr<const texture::Texture>> textures;  ///< by Material::texture
+  std::vector<std::shared_ptr<const texture::Relief>> reliefs;    ///< by Material::relief
   std::vector<Object> objects;
   std::vector<Luminaire> luminaires;
   std::vector<spectrum::SpectralDistribution> sourceSpectra;  ///< distinct relative spectra of luminaires

@@ -9,6 +9,7 @@
 #include "geometry/quadric_intersect.h"
 #include "geometry/queries.h"
 #include "geometry/revolution.h"
+#include "geometry/texture_coordinates.h"
 
 namespace goniolux::scene {
 namespace {
@@ -28,6 +29,8 @@ class Builder {
   explicit Builder(const Environment& environment) : environment_(environment) {
     world_.materials = environment.materials;
     world_.sourceSpectra = environment.sourceSpectra;
+    world_.textures = environment.textures;
+    world_.reliefs = environment.reliefs;
   }
 
   World build() {
@@ -70,12 +73,28 @@ class Builder {
     return static_cast<std::uint32_t>(world_.surfaces.size() - 1);
   }
 
-  void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t surface) {
-    if (glm::length(glm::cross(b - a, c - a)) == 0) return;  // no area: neither seen nor lit
+  bool addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t surface) {
+    if (glm::length(glm::cross(b - a, c - a)) == 0) return false;  // no area: neither seen nor lit
     const auto first = static_cast<std::uint32_t>(world_.vertices.size());
     world_.vertices.insert(world_.vertices.end(), {a, b, c});
     world_.triangles.push_back({first, first + 1, first + 2});
     world_.triangleSurfaces.push_back(surface);
+    return true;
+  }
+
+  static Corners cornersOf(const geometry::Mesh& mesh, const geometry::Bounds& box, std::size_t triangle) {
+    Corners corners;
+    const auto coordinates = geometry::cornerCoordinates(mesh, box, triangle);
+    for (std::size_t k = 0; k < 3; ++k) corners.coordinates[k] = glm::vec2(coordinates[k]);
+    if (!mesh.smoothNormals.empty()) corners.normals = mesh.smoothNormals[triangle];
+    return corners;
+  }
+
+  // Of the triangle that was added last.
+  void addCorners(const Corners& corners) {
+    world_.triangleCorners.resize(world_.triangles.size(), none);
+    world_.triangleCorners.back() = static_cast<std::uint32_t>(world_.corners.size());
+    world_.corners.push_back(corners);
   }
 
   void addPatch(geometry::QuadricPatch patch, const Mat4& toWorld, std::uint32_t surface) {
@@ -94,10 +113,14 @@ class Builder {
   void addObject(std::uint32_t index) {
     const Object& object = environment_.objects[index];
     std::vector<std::uint32_t> partSurface;
+    bool isDetailed = false;
     for (const std::uint32_t material : object.materials) {
       Surface surface;
       surface.material = material;
       surface.object = index;
+      const material::Material& finish = environment_.materials[material];
+      surface.isDetailed = finish.texture || finish.relief || !object.shape.mesh.smoothNormals.empty();
+      isDetailed = isDetailed || surface.isDetailed;
       if (const auto& emission = environment_.materials[material].emission; emission && emission->exitance_lm_m2 > 0) {
         surface.luminance = emission->exitance_lm_m2 / core::pi;
         surface.spectrum = sourceSpectrum(emission->spectrum);
@@ -106,8 +129,18 @@ class Builder {
     }
     world_.chordError = std::max(world_.chordError, object.shape.chordError);
     if (isInstanced(object)) return addInstanced(object, partSurface);
+    bool isFirst = true;
     for (Mat4 toWorld : placesOf(object)) {
       toWorld[3] -= glm::dvec4(world_.origin, 0.0);
+      // A place of its own is a surface of its own where textures ask for the way back to the object.
+      if (isDetailed && !isFirst)
+        for (std::uint32_t& surface : partSurface) surface = addSurface(Surface(world_.surfaces[surface]));
+      if (isDetailed) {
+        for (const std::uint32_t surface : partSurface)
+          world_.surfaces[surface].frame = static_cast<std::uint32_t>(world_.frames.size());
+        world_.frames.push_back(glm::inverse(toWorld));
+      }
+      isFirst = false;
       addAt(object, toWorld, partSurface);
     }
   }
@@ -125,6 +158,10 @@ class Builder {
     const auto& mesh = object.shape.mesh;
     const Vec3 middle = geometry::bounds(object.shape).center();
     InstancedMesh instanced;
+    instanced.middle = middle;
+    const geometry::Bounds box = geometry::bounds(object.shape);
+    const bool isDetailed = std::any_of(partSurface.begin(), partSurface.end(),
+                                        [&](std::uint32_t surface) { return world_.surfaces[surface].isDetailed; });
     for (const Vec3& v : mesh.vertices) instanced.vertices.push_back(v - middle);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& corner = mesh.triangles[t];
@@ -132,6 +169,7 @@ class Builder {
       if (glm::length(glm::cross(b - a, c - a)) == 0) continue;
       instanced.triangles.push_back(corner);
       instanced.triangleSurfaces.push_back(partSurface[mesh.parts[t]]);
+      if (isDetailed) instanced.corners.push_back(cornersOf(mesh, box, t));
     }
     for (Mat4 place : placesOf(object)) {
       place[3] += glm::dvec4(core::Mat3(place) * middle - world_.origin, 0.0);
@@ -142,12 +180,13 @@ class Builder {
 
   void addAt(const Object& object, const Mat4& toWorld, const std::vector<std::uint32_t>& partSurface) {
     const auto& mesh = object.shape.mesh;
+    const geometry::Bounds box = geometry::bounds(object.shape);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& corner = mesh.triangles[t];
       const Vec3 a = transformed(toWorld, mesh.vertices[corner[0]]), b = transformed(toWorld, mesh.vertices[corner[1]]),
                  c = transformed(toWorld, mesh.vertices[corner[2]]);
       const std::uint32_t surface = partSurface[mesh.parts[t]];
-      addTriangle(a, b, c, surface);
+      if (addTriangle(a, b, c, surface) && world_.surfaces[surface].isDetailed) addCorners(cornersOf(mesh, box, t));
       const Surface& finish = world_.surfaces[surface];
       if (finish.luminance > 0 && glm::length(glm::cross(b - a, c - a)) > 0) {
         geometry::Bounds bounds;

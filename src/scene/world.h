@@ -30,6 +30,8 @@ struct Surface {
   double luminance = 0;           ///< of an emitting finish, cd/m2 on both sides
   std::uint32_t spectrum = none;  ///< of that luminance: index into World::sourceSpectra
   std::uint32_t object = none;    ///< index into Environment::objects; none for a luminaire
+  bool isDetailed = false;        ///< its finish has a texture or a relief, or it is to look round
+  std::uint32_t frame = none;     ///< of a detailed one that is not instanced: index into World::frames
 };
 
 struct PlacedPatch {
@@ -38,12 +40,20 @@ struct PlacedPatch {
   std::uint32_t surface = 0;
 };
 
+/// What textures and smooth normals need of a triangle's corners; normals in object space, 0 where there are none.
+struct Corners {
+  std::array<glm::vec2, 3> coordinates{};
+  std::array<core::Vec3f, 3> normals{};
+};
+
 /// A mesh that stands in many places but is held once. Vertices are about its own middle.
 struct InstancedMesh {
   std::vector<core::Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> triangleSurfaces;
   std::vector<core::Mat4> places;  ///< mesh -> world
+  core::Vec3 middle{0};            ///< object space
+  std::vector<Corners> corners;    ///< of every triangle, or empty where no surface is detailed
 };
 
 struct LightSource {
@@ -60,10 +70,15 @@ struct World {
   std::vector<core::Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> triangleSurfaces;
+  std::vector<std::uint32_t> triangleCorners;  ///< of each triangle: index into corners, or none; empty: none has any
+  std::vector<Corners> corners;
+  std::vector<core::Mat4> frames;  ///< world -> object
   std::vector<PlacedPatch> patches;
   std::vector<InstancedMesh> instanced;  ///< large arrays; not among `triangles`
   std::vector<Surface> surfaces;
   std::vector<material::Material> materials;
+  std::vector<std::shared_ptr<const texture::Texture>> textures;
+  std::vector<std::shared_ptr<const texture::Relief>> reliefs;
   std::vector<spectrum::SpectralDistribution> sourceSpectra;
   std::vector<LightSource> emitters;
   double chordError = 0;  ///< m, the largest of the shapes

@@ -74,6 +74,11 @@ void GatherSolver<W>::linkCells(std::size_t from, std::size_t to, std::size_t ra
     LightSolution::Link link;
     if (arrival.found && solution.cellCount() < mostCells) {
       link.cell = solution.add(arrival.surface, arrival.at.point, arrival.at.normal);
+      if (arrival.textured) {
+        TexturedCell& cell = texturedCells_[link.cell];
+        for (std::size_t k = 0; k < static_cast<std::size_t>(W); ++k) cell.sum.v[k] += arrival.reflectance.v[k];
+        ++cell.count;
+      }
       if (arrival.filtered) {
         link.filter = static_cast<std::uint32_t>(filters.size() / W);
         filters.insert(filters.end(), arrival.filter.v.begin(), arrival.filter.v.end());
@@ -170,7 +175,11 @@ void GatherSolver<W>::lightCells(LightSolution::Transport& transport) {
     std::vector<Spectral> bySource(sources);
     for (std::size_t c = begin; c < end; ++c) {
       const auto cell = static_cast<std::uint32_t>(c);
-      const Spectral& rho = reflectance_[this->world_.surfaces[solution.surfaceOf(cell)].material];
+      Spectral rho = reflectance_[this->world_.surfaces[solution.surfaceOf(cell)].material];
+      if (const auto textured = texturedCells_.find(cell); textured != texturedCells_.end()) {
+        rho = textured->second.sum;
+        rho *= 1 / static_cast<float>(textured->second.count);
+      }
       std::copy(rho.v.begin(), rho.v.end(), transport.reflectance.begin() + static_cast<std::ptrdiff_t>(c * W));
       if (rho.largest() <= 0) continue;
       const auto points = solution.pointsOf(cell);

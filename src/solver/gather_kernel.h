@@ -3,6 +3,8 @@
 // solution's bias is known and taken away, not assumed small.
 #pragma once
 
+#include <unordered_map>
+
 #include "solver/path_kernel.h"
 
 namespace goniolux::solver {
@@ -37,6 +39,12 @@ class GatherSolver final : public PathSolver<W> {
   void setResponses();
 
   std::vector<Spectral> reflectance_;  // per material; 0 where it does not follow Lambert's law
+  /// Of cells with a texture: the mean over the places where rays have met them.
+  struct TexturedCell {
+    Spectral sum{};
+    int count = 0;
+  };
+  std::unordered_map<std::uint32_t, TexturedCell> texturedCells_;
   std::size_t linksPerCell_;
 };
 

@@ -147,7 +147,7 @@ void PathSolver<W>::studyVisibility(LightPlan& entry, const Receiver& receiver, 
 
 template <int W>
 void PathSolver<W>::addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out,
-                              const core::Frame& frame, const Path& path, bool everyLight, core::Sampler& random,
+                              const Shading& shading, const Path& path, bool everyLight, core::Sampler& random,
                               std::uint64_t& rays) const {
   const reflection::Lobes& lobes = met.bsdf->lobes();
   const bool toEach = everyLight && lightsAreFew_;
@@ -160,7 +160,10 @@ void PathSolver<W>::addDirect(Response& sum, const Vertex& at, const Meeting& me
     if (incident.normalIlluminance <= 0 || cosine <= 0) return;
     Spectral filter = path.throughput;
     if (!connected(light, side, incident.direction, incident.distance, filter, rays)) return;
-    const Vec3 in = frame.toLocal(lights_->fold(light, incident.direction));
+    const Vec3 in = shading.frame.toLocal(lights_->fold(light, incident.direction));
+    // A tilted surface takes light by its own cosine, but none from behind the real one.
+    if (shading.isTilted && in.z * glm::dot(side.normal, at.normal) <= 0) return;
+    const double response = shading.isTilted ? std::abs(in.z) * shading.gain : cosine;
     Spectral f = Spectral::filled(0);
     met.bsdf->evaluate(out, in, met.interface, f.v.data());
     f *= filter;
@@ -170,7 +173,7 @@ void PathSolver<W>::addDirect(Response& sum, const Vertex& at, const Meeting& me
       const double solidAngle = light.emitter->roughSolidAngle(seen.point);
       weight *= share / (share + met.bsdf->density(out, in, met.interface) * solidAngle);
     }
-    add(sum, light.spectrum, f, incident.normalIlluminance * cosine * weight);
+    add(sum, light.spectrum, f, incident.normalIlluminance * response * weight);
   };
   const auto fromSide = [&](const Vertex& side) {
     if (toEach) {

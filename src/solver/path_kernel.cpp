@@ -31,9 +31,8 @@ PathSolver<W>::PathSolver(const Problem& problem)
   std::vector<double> largestMirror;  // reflectance, where it is one
   bool bends = false;
   for (const material::Material& material : world_.materials) {
-    const reflection::ReflectionModel* model = reflection::findReflectionModel(material.model);
-    assert(model != nullptr);  // the project reader refuses unknown models
-    bsdfs_.push_back(model->make(material, quadrature));
+    bsdfs_.push_back(reflection::makeBsdf(material, quadrature));
+    hasTextures_ = hasTextures_ || material.texture;
     const reflection::Bsdf& bsdf = *bsdfs_.back();
     isMirror.push_back(bsdf.isSpecular() && bsdf.lobes().mirror);
     Spectral reflectance = Spectral::filled(0);
@@ -175,7 +174,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     const Vec3 out = frame.toLocal(-path.direction);
     if (met.bsdf->lobes().spread) {
       if (hasMedia_ && met.bsdf->medium() != nullptr && met.bsdf->medium()->disperses) collapse(path);
-      if (ending != Ending::remainder) addDirect(sum, at, met, out, frame, path, false, random, rays);
+      if (ending != Ending::remainder) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
       path.share = 1 / static_cast<double>(lights_->lights().size());
     }
     reflection::BsdfSample next;
@@ -207,7 +206,8 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
     if (whole) addEmitted(sum, path, met.hit);
     const reflection::Bsdf& bsdf = *met.bsdf;
     const Vertex at = vertexAt(met.hit, path.direction);
-    const core::Frame frame = frameAbout(at.normal);
+    const Shading shading = shadingSeen(met, at, -path.direction);
+    const core::Frame& frame = shading.frame;
     const Vec3 out = frame.toLocal(-path.direction);
     reflection::BsdfSample next;
     Spectral weight = Spectral::filled(0);
@@ -218,17 +218,22 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
     }
     if (bsdf.largestReflectance() <= 0) break;
     if (hasMedia_ && bsdf.medium() != nullptr && bsdf.medium()->disperses) collapse(path);
-    if (whole) addDirect(sum, at, met, out, frame, path, true, random, rays);
+    if (whole) addDirect(sum, at, met, out, shading, path, true, random, rays);
     path.share = lightsAreFew_ ? 1 : 1 / static_cast<double>(lights_->lights().size());
     // Several indirect paths from here: the eye's ray and the connections to the lights cost more than one of them.
     for (std::uint32_t branch = 0; branch < branches; ++branch) {
       core::Sampler own(core::combine(key, indirectStream), sample * branches + branch);
       reflection::BsdfSample start;
       if (!bsdf.sample(out, own.next2(), met.interface, start, weight.v.data())) continue;
+      if (shading.isTilted) {
+        // Nothing comes through the surface itself, whichever way it seems to lean.
+        if (start.direction.z * glm::dot(frame.toWorld(start.direction), at.normal) <= 0) continue;
+        weight *= static_cast<float>(shading.gain);
+      }
       Path indirect = path;
       indirect.throughput *= 1.0f / branches;
       if (goOn(indirect, met, at, frame, start, weight, false, own) &&
-          (!bsdf.isLambertian() || guide(indirect, at, own)))
+          (!bsdf.isLambertian() || shading.isTilted || guide(indirect, at, own)))
         follow(sum, indirect, ending, own, rays);
     }
     break;

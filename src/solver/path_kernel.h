@@ -92,10 +92,11 @@ class PathSolver : public Solver {
   };
   /// Where a ray meets the first diffuse surface, and what the mirrors and glass on the way leave of its light.
   struct Arrival {
-    bool found = false, filtered = false;
+    bool found = false, filtered = false, textured = false;
     std::uint32_t surface = 0;
     Vertex at;
     Spectral filter;
+    Spectral reflectance{};  ///< of a textured finish there
   };
   /// A direction that was chosen with regard to bright spots, to be weighed once it is known what it meets.
   struct Guidance {
@@ -123,6 +124,14 @@ class PathSolver : public Solver {
     tracer::Hit hit;
     reflection::Interface interface;
     const reflection::Bsdf* bsdf = nullptr;
+    texture::Mixture mixture{};  ///< of a textured finish; the interface points to it
+  };
+  /// How a surface is shaded: its local frame, about the geometric normal or, in pictures, about one that makes it look
+  /// round or rough. `gain` gives back what the tilt of that frame would lose of even light (addDirect, radianceBy).
+  struct Shading {
+    core::Frame frame;
+    bool isTilted = false;
+    double gain = 1;
   };
 
   void add(Response& sum, std::uint32_t spectrum, const Spectral& throughput, double factor) const;
@@ -142,8 +151,10 @@ class PathSolver : public Solver {
   void studyVisibility(LightPlan& entry, const Receiver& receiver, std::uint64_t key, std::uint64_t& rays) const;
   /// Unoccluded illuminance from a light with its mirrors' reflectances, as a response.
   Response exactResponse(const Light& light, double value) const;
-  void addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const core::Frame& frame,
+  void addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const Shading& shading,
                  const Path& path, bool everyLight, core::Sampler& random, std::uint64_t& rays) const;
+  /// For what the eye sees first; everywhere else surfaces are as flat as they are.
+  [[nodiscard]] Shading shadingSeen(const Meeting& met, const Vertex& at, const Vec3& towardsEye) const;
   /// Everything that arrives along a path.
   void follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const;
   /// The cell of the solution that answers for a hit, or LightSolution::none.
@@ -199,7 +210,7 @@ class PathSolver : public Solver {
   std::vector<std::uint32_t> emitterOfTriangle_;  // index into World::emitters, of emitting finishes
   std::vector<double> heroProbability_, heroCumulative_;
   bool lightsAreFew_ = false, losesCaustics_ = false;
-  bool hasMedia_ = false, disperses_ = false;
+  bool hasMedia_ = false, disperses_ = false, hasTextures_ = false;
   FreeView freeView_;
   BrightSpots spots_;
   double pilotRays_;                         // shadow rays of a receiver's pilot, over all lights

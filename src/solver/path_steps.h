@@ -12,8 +12,13 @@ bool PathSolver<W>::meet(Path& path, Meeting& met, std::uint64_t& rays) const {
     ++rays;
     if (!tracer_.intersect(path.origin, path.direction, met.hit)) return false;
     met.bsdf = &bsdfOf(met.hit.surface);
+    if (hasTextures_) {
+      const bool textured = world_.materials[world_.surfaces[met.hit.surface].material].texture.has_value();
+      if (textured) met.mixture = scene::mixtureAt(world_, met.hit);
+      met.interface.mixture = textured ? &met.mixture : nullptr;
+    }
     if (!hasMedia_) return true;
-    met.interface = {nullptr, nullptr, path.hero};
+    met.interface = {nullptr, nullptr, path.hero, met.interface.mixture};
     const std::uint32_t body = world_.surfaces[met.hit.surface].object;
     const reflection::Medium* medium = met.bsdf->medium();
     const bool fromInside = glm::dot(met.hit.normal, path.direction) > 0;
@@ -125,6 +130,8 @@ typename PathSolver<W>::Arrival PathSolver<W>::arrive(const Vec3& origin, const 
       arrival.surface = met.hit.surface;
       arrival.filtered = i > 0 || hasMedia_;
       arrival.filter = path.throughput;
+      arrival.textured = met.interface.mixture != nullptr;
+      if (arrival.textured) met.bsdf->diffuseReflectanceAt(met.interface, arrival.reflectance.v.data());
       return arrival;
     }
     const core::Frame frame = frameAbout(arrival.at.normal);
@@ -157,6 +164,18 @@ std::uint32_t PathSolver<W>::emitterAt(const tracer::Hit& hit) const {
   const scene::Surface& surface = world_.surfaces[hit.surface];
   if (surface.emitter != scene::none) return surface.emitter;
   return hit.primitive < emitterOfTriangle_.size() ? emitterOfTriangle_[hit.primitive] : scene::none;
+}
+
+template <int W>
+typename PathSolver<W>::Shading PathSolver<W>::shadingSeen(const Meeting& met, const Vertex& at,
+                                                           const Vec3& towardsEye) const {
+  if (!world_.surfaces[met.hit.surface].isDetailed || met.bsdf->isSpecular()) return {frameAbout(at.normal)};
+  const Vec3 normal = scene::shownNormal(world_, met.hit, at.normal, towardsEye);
+  const double cosine = glm::dot(normal, at.normal);
+  if (cosine > 1 - 1e-12) return {frameAbout(at.normal)};
+  // Of even light, the part between the two horizons is (1 + cosine)/2 of what a matt surface would get.
+  const double gain = met.bsdf->isLambertian() && cosine > 0 ? 2 / (1 + cosine) : 1;
+  return {frameAbout(normal), true, gain};
 }
 
 template <int W>

@@ -18,7 +18,7 @@ constexpr int mostPanes = 64;
 SeenLights::SeenLights(const Problem& problem) : problem_(problem) {
   for (const material::Material& material : problem.world.materials)
     bsdfs_.push_back(reflection::findReflectionModel(material.model) != nullptr
-                         ? reflection::findReflectionModel(material.model)->make(material, problem.quadrature)
+                         ? reflection::makeBsdf(material, problem.quadrature)
                          : nullptr);  // a local shading of the paper's: opaque here
 }
 

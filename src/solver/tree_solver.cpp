@@ -96,6 +96,11 @@ class TreeSolver final : public Solver {
             "measurement");
         break;
       }
+    for (const material::Material& material : world_.materials)
+      if (material.texture) {
+        sentences.emplace_back("textures (solver tree): a textured finish is its mean everywhere");
+        break;
+      }
     return sentences;
   }
 

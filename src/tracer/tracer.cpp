@@ -186,6 +186,7 @@ bool Tracer::intersect(const Vec3& origin, const Vec3& direction, Hit& hit) cons
   const std::uint32_t id = rayhit.hit.primID;
   hit.distance = rayhit.ray.tfar;
   hit.position = origin + direction * hit.distance;
+  hit.mesh = scene::none;
   if (rayhit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
     finishInstanceHit(rayhit.hit.instID[0] - firstInstance, id, hit);
   } else if (rayhit.hit.geomID == triangleGeometry) {
@@ -212,6 +213,9 @@ void Tracer::finishInstanceHit(std::uint32_t instance, std::uint32_t triangle, H
   const Vec3 a(place * glm::dvec4(mesh.vertices[t[0]], 1)), b(place * glm::dvec4(mesh.vertices[t[1]], 1)),
       c(place * glm::dvec4(mesh.vertices[t[2]], 1));
   hit.primitive = scene::none;
+  hit.mesh = instances_[instance].mesh;
+  hit.place = instances_[instance].place;
+  hit.meshTriangle = triangle;
   hit.surface = mesh.triangleSurfaces[triangle];
   hit.normal = glm::normalize(glm::cross(b - a, c - a));
   hit.position -= hit.normal * glm::dot(hit.position - a, hit.normal);

@@ -7,17 +7,13 @@
 #include <string>
 
 #include "core/vector.h"
+#include "scene/surface_detail.h"
 #include "scene/world.h"
 
 namespace goniolux::tracer {
 
-struct Hit {
+struct Hit : scene::SurfacePoint {
   double distance = 0;
-  core::Vec3 position{0};  ///< on the surface, double precision
-  core::Vec3 normal{0};    ///< unit geometric normal, outward by winding (not turned towards the ray)
-  std::uint32_t surface = scene::none;
-  /// Triangle index, or number of triangles + patch index; scene::none on an instanced mesh.
-  std::uint32_t primitive = 0;
 };
 
 class Tracer {

@@ -160,6 +160,7 @@ std::string objectsText() {
   for (Key& key : shared) {
     if (key.name != "shape") continue;
     key.choices = names;
+    key.choices.emplace_back("group");
     key.help = "which of the shapes below";
   }
   std::string out = "### An object\n\n" + keyTable(shared);
@@ -171,7 +172,7 @@ std::string objectsText() {
       out += fmt::format("; `{}` = `{}`", group, fmt::join(parts, "`, `"));
     out += fmt::format("{}\n\n{}", type.parts.empty() ? "" : ".", keyTable(without(sections[i].keys, shared)));
   }
-  return out;
+  return out + "`\"group\"`: objects placed together.\n\n" + keyTable(project::groupSection().keys);
 }
 
 std::string openingsText() {
@@ -187,6 +188,8 @@ std::string openingsText() {
 
 TEST(Reference, TheKeysOfTheProjectFileAreWrittenFromTheReadersTables) {
   std::string text = sectionText("The project", project::rootSection()) + materialsText() + objectsText();
+  text += sectionText("A material's `texture`", project::textureSection());
+  text += sectionText("A material's `bump`", project::bumpSection());
   text += sectionText("A step of a `transform`", project::transformStepSection());
   text += sectionText("`rotate`", project::rotationSection());
   text += sectionText("A luminaire", project::luminaireSection());

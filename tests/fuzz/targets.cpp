@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <type_traits>
 
 #include "display/device_model.h"
 #include "display/icc_device.h"
 #include "display/picture_file.h"
+#include "geometry/radiance_scene.h"
 #include "image/image_file.h"
 #include "image/patch.h"
 #include "photometry/eulumdat.h"
@@ -120,13 +122,29 @@ Outcome iccProfile(std::string_view bytes) {
   });
 }
 
-template <display::CodeImage Reader(std::string_view, const std::string&)>
+template <auto Reader>
 Outcome picture(std::string_view bytes) {
   return readOrRefuse([&] {
-    const display::CodeImage image = Reader(bytes, "fuzz");
+    const display::CodeImage image = [&] {
+      if constexpr (std::is_invocable_v<decltype(Reader), std::string_view, std::string, double>)
+        return Reader(bytes, "fuzz", 1e6);
+      else
+        return Reader(bytes, "fuzz");
+    }();
     const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     require(count > 0 && image.rgb.size() == 3 * count, "the picture has not all its pixels");
     for (const std::uint16_t code : image.rgb) require(code < 1 << image.bits, "a code with too many bits");
+  });
+}
+
+Outcome radianceScene(std::string_view bytes) {
+  return readOrRefuse([&] {
+    const geometry::RadianceScene scene = geometry::readRadianceScene(bytes, "fuzz");
+    for (const core::Vec3& v : scene.mesh.vertices)
+      require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), "a vertex that is no place");
+    for (const auto& triangle : scene.mesh.triangles)
+      for (const std::uint32_t corner : triangle)
+        require(corner < scene.mesh.vertices.size(), "a triangle without a vertex");
   });
 }
 
@@ -146,7 +164,9 @@ const std::vector<Target>& targets() {
       {"icc", {".icc"}, iccProfile},
       {"png", {".png"}, picture<display::decodePng>},
       {"tiff", {".tif"}, picture<display::decodeTiff>},
+      {"jpeg", {".jpg"}, picture<display::decodeJpeg>},
       {"dpx", {".dpx"}, picture<display::decodeDpx>},
+      {"radiance", {".rad"}, radianceScene},
   };
   return list;
 }

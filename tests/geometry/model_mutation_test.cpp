@@ -143,6 +143,24 @@ TEST(DamagedModels, AreRefusedWithASentenceOrReadWithFiniteNumbers) {
   }
 }
 
+// Found by 20 000 mutations: the importer counted to 4 294 967 295 first.
+TEST(DamagedModels, PlyFilesThatPromiseMoreElementsThanTheyHoldAreRefusedAtOnce) {
+  goniolux::test::TemporaryFolder folder;
+  for (const char* header : {"element vertex 42147483648\nproperty float x\nproperty float y\nproperty float z\n"
+                             "element face 4\nproperty list uchar int vertex_indices\n",
+                             "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                             "element face 999999999999999999994\nproperty list uchar int vertex_indices\n"}) {
+    const auto file = folder.write("a.ply", "ply\nformat ascii 1.0\n" + std::string(header) +
+                                                "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n");
+    try {
+      importMesh(file.string(), 1, false);
+      ADD_FAILURE() << header;
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("can hold"), std::string::npos) << refusal.what();
+    }
+  }
+}
+
 TEST(DamagedModels, GltfNodesInACircleCountsBeyondTheFileAndTwoParentsAreRefused) {
   goniolux::test::TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) -> std::string {

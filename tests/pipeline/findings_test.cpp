@@ -136,5 +136,29 @@ TEST(Findings, SliversAreCountedWithThePlaceOfTheFirst) {
   EXPECT_NE(found.find("(1.5, 1, 0.5) m"), std::string::npos) << found;
 }
 
+TEST(Findings, GridPointsInASideFaceAreNamedAndThoseOnATopAreNot) {
+  // The grid's points are at x = 0.5, 1.5, 2.5, 3.5 and y = 0.5, 1.5, 2.5, z = 0.8.
+  const std::string found = findings(roomWith(object("\"shape\": \"box\", \"min\": [1.5,1,0], \"max\": [2,2,1.2]")));
+  EXPECT_NE(found.find("on-face"), std::string::npos) << found;
+  EXPECT_NE(found.find("1 of 12 points"), std::string::npos) << found;
+  EXPECT_NE(found.find("(1.5, 1.5, 0.8) m"), std::string::npos) << found;
+  EXPECT_EQ(findings(roomWith(object("\"shape\": \"box\", \"min\": [1.4,1,0], \"max\": [1.9,2,0.8]"))), "")
+      << "a grid on a desk";
+}
+
+TEST(Findings, SurfacesThatRunThroughEachOtherAreNamedAndThoseThatTouchAreNot) {
+  const std::string box = object("\"shape\": \"box\", \"min\": [1,1,0], \"max\": [2,2,0.7]");
+  const std::string through =
+      findings(roomWith(box + object("\"shape\": \"box\", \"min\": [1.3,1.3,0.5], \"max\": [1.6,1.6,1]", "grey")));
+  EXPECT_NE(through.find("intersecting"), std::string::npos) << through;
+  EXPECT_NE(through.find("0.7) m"), std::string::npos) << "where the upright edges meet the top: " << through;
+  EXPECT_NE(findings(roomWith(box + object("\"shape\": \"sphere\", \"center\": [2,1.5,0.7], \"radius\": 0.2", "grey")))
+                .find("intersecting"),
+            std::string::npos);
+  EXPECT_EQ(findings(roomWith(box + object("\"shape\": \"cylinder\", \"base\": [1.2,1.2,0.7], \"radius\": 0.1, "
+                                           "\"height\": 0.3"))),
+            "");
+}
+
 }  // namespace
 }  // namespace goniolux::pipeline

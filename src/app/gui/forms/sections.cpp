@@ -43,6 +43,7 @@ Shared materialSection(const Value& material) {
 
 Shared objectSection(const Value& object) {
   const std::string shape = textOf(object, "shape");
+  if (shape == "group") return std::make_shared<const Section>(project::groupSection());
   const geometry::ObjectType* type = geometry::findObjectType(shape);
   return type != nullptr ? std::make_shared<const Section>(project::objectSection(*type)) : nullptr;
 }
