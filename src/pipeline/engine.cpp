@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "pipeline/answerable.h"
+
 namespace goniolux::pipeline {
 
 project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy) {
@@ -32,7 +34,7 @@ std::string resultsFolder(const StageRequest& request, const project::Project& p
 }
 
 Engine::Engine(const project::Project& project, bool forColour)
-    : world(scene::buildWorld(project.environment)),
+    : world((refuseWhatHasNoAnswer(project), scene::buildWorld(project.environment))),
       tracer(world),
       plan(planner::makePlan(project, world, forColour)),
       solver(solver::findSolverType(plan.solver)->make(problem())) {}

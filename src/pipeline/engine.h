@@ -16,6 +16,7 @@ namespace goniolux::pipeline {
 /// Which accuracy `--accuracy` sets.
 enum class AccuracyOf { grids, images, both };
 
+/// Throws core::InputError also for projects that have no answer (pipeline/answerable.h).
 /// The project named by the request (its text, where the request brings one) with the command line's overrides applied.
 /// Throws core::InputError.
 project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy);

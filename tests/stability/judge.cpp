@@ -78,7 +78,9 @@ Judgement judgeGrid(const Check& check, const Results& results) {
   const double tolerance = check.number("tolerance"), absolute = check.number("absolute");
   std::vector<Figure> figures;
   if (check.kind == "weighted") {
-    Figure sum{check.number("value"), {}, tolerance * std::abs(check.number("value")), false};
+    Figure sum;
+    sum.reference = check.number("value");
+    sum.known = tolerance * std::abs(sum.reference);
     const auto& weights = check.row.find("weights")->array();
     if (weights.size() != grid->values.size()) return wrong("another number of points than weights");
     double squares = 0;
@@ -139,6 +141,9 @@ Judgement judgeFinite(const Check& check, const Results& results) {
     if (std::isfinite(e.value) && std::isfinite(e.halfWidth()))
       return {results.reached ? Outcome::right : Outcome::wide,
               fmt::format("{:.1f} ± {:.2g}, {} luminaires rated", e.value, e.halfWidth(), observer.sources.size())};
+    // No rating is an answer where the results say that there is none.
+    if (!results.reached && results.reachedText.find(observer.name) != std::string::npos)
+      return {Outcome::right, results.reachedText};
     return wrong(fmt::format("the rating is {} ± {}", e.value, e.halfWidth()));
   }
   return wrong("there is no rating");

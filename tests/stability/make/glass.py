@@ -105,8 +105,8 @@ def close_panes():
     case = Case(25, "panes-ten-micrometres-apart", "Two panes with 10 micrometres of air between",
                 "The distance by which rays leave a surface skips a face, and the light leaves bent.", says=GLASS)
     t, gap = 0.005, 1e-5
-    panes = [box([-1, -1, 0], [1, 1, t], "glass", "first", None),
-             box([-1, -1, t + gap], [1, 1, 2 * t + gap], "glass", "second", None)]
+    panes = [box([-2, -2, 0], [2, 2, t], "glass", "first", None),
+             box([-2, -2, t + gap], [2, 2, 2 * t + gap], "glass", "second", None)]
     case.project("project.json", materials={"glass": glass(), **PANEL}, objects=panes + [panel(0.5)],
                  views=[view([0, 0, -1], [0, 0, 0], fov=0.1, size=32)])
     case.seen("luminance of a panel of 100 cd/m2 at normal incidence", "eye", [16, 16], 100 * 0.96 / 1.12,

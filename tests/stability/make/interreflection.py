@@ -42,13 +42,13 @@ def uplight_spot():
     case = Case(16, "uplight-spot", "A 2 degree spot on a white ceiling lights a black room",
                 "Blotches, or nothing: the small second source on the ceiling is missed by a few gathering rays.", **LEFT)
     rho, ceiling, height = 0.8, 5.0, 4.5
-    diagram = [[0, 1], [1, 1], [1.001, 0], [90, 0]]
+    diagram = [[0, 1], [1, 1], [1.00001, 0], [90, 0]]
 
     def intensity(g):
-        return 1.0 if g <= 1 else max(0.0, (1.001 - g) / 0.001)
+        return 1.0 if g <= 1 else max(0.0, (1.00001 - g) / 0.00001)
 
     whole = (integral(lambda g: math.sin(math.radians(g)), 0, 1) +
-             integral(lambda g: intensity(g) * math.sin(math.radians(g)), 1, 1.001)) * 2 * math.pi * math.pi / 180
+             integral(lambda g: intensity(g) * math.sin(math.radians(g)), 1, 1.00001)) * 2 * math.pi * math.pi / 180
     peak = 1000 / whole
     places = [0.0, 1.0, 2.5, 5.0]
 

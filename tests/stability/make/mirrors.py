@@ -143,13 +143,14 @@ def parallel_mirrors():
         case.points(f"illuminance between mirrors of {rho}", [images(rho)], "sum over all images", project=name,
                     tolerance=1e-5)
         name = f"seen-{100 * rho:.0f}.json"
+        count = 30 if rho < 0.9 else 100
         case.project(name, materials={"mirror": mirror(rho), "panel": grey(0, exitance_lm_m2=100 * math.pi)},
                      objects=[rectangle([0, -1, 0], [0, 2, 0], [0, 0, 3], "mirror", "left"),
                               rectangle([2, -1, 0], [0, 2, 0], [0, 0, 3], "mirror", "right"),
                               rectangle([0, -1, 3], [2, 0, 0], [0, 2, 0], "panel", "ceiling")],
-                     views=[view([1, 0, 1], [-199, 0, 3], size=16, up=[0, 0, 1])])
-        case.seen(f"a ceiling of 100 cd/m2 after 100 reflections of {rho}", "eye", [8, 8], 100 * rho ** 100,
-                  "rho^100 x 100 cd/m2", project=name, tolerance=1e-3, radius=6)
+                     views=[view([1, 0, 1], [1 - 2 * count, 0, 3], size=16, up=[0, 0, 1])])
+        case.seen(f"a ceiling of 100 cd/m2 after {count} reflections of {rho}", "eye", [8, 8], 100 * rho ** count,
+                  f"rho^{count} x 100 cd/m2", project=name, tolerance=1e-3, radius=6)
 
 
 def lamp_in_mirrors():

@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 
 CASES = []
-DEFAULT_SECONDS = 30
+DEFAULT_SECONDS = 20
 
 
 class Case:
@@ -68,15 +68,21 @@ def project(name, objects, luminaires=(), grids=(), materials=None, accuracy="1 
         document["units"] = units
     document["materials"] = materials or {"black": grey(0)}
     document["objects"] = list(objects)
-    document["luminaires"] = list(luminaires)
+    document["luminaires"] = list(luminaires) or [switched_off(grids, views)]
     if grids:
         document["grids"] = list(grids)
     if observers:
         document["observers"] = list(observers)
     if views:
         document["views"] = list(views)
-    document["settings"] = {"accuracy": {"grid": accuracy, "image": accuracy}, **(settings or {})}
+    document["settings"] = {"accuracy": {"grid": accuracy, "image": "5 %"}, **(settings or {})}
     return document
+
+
+def switched_off(grids, views):
+    """A project has a luminaire; where surfaces shine by themselves it is off."""
+    place = views[0]["eye"] if views else grids[0].get("origin") or grids[0]["points"][0]
+    return lamp(place, name="off", flux=1, dimming=0)
 
 
 def grey(reflectance, **more):
