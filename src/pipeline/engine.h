@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "pipeline/stage.h"
 #include "planner/plan.h"
@@ -16,7 +17,6 @@ namespace goniolux::pipeline {
 /// Which accuracy `--accuracy` sets.
 enum class AccuracyOf { grids, images, both };
 
-/// Throws core::InputError also for projects that have no answer (pipeline/answerable.h).
 /// The project named by the request (its text, where the request brings one) with the command line's overrides applied.
 /// Throws core::InputError.
 project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy);
@@ -24,10 +24,12 @@ project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy
 std::string resultsFolder(const StageRequest& request, const project::Project& project);
 
 struct Engine {
+  /// Throws core::InputError for projects that have no answer (pipeline/answerable.h) and for settings that do not fit.
   Engine(const project::Project& project, bool forColour);
 
   [[nodiscard]] solver::Problem problem() const { return {world, tracer, plan.quadrature, plan.accuracy, plan.tree}; }
 
+  std::vector<std::string> hidden;  ///< sentences: luminaires that a closed object shuts in
   scene::World world;
   tracer::Tracer tracer;
   planner::Plan plan;

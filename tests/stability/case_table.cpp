@@ -37,6 +37,8 @@ Case caseFrom(const Value& row) {
   one.fast = member(row, "fast").boolean();
   one.seconds = member(row, "seconds").number();
   for (const auto& [solver, word] : member(row, "claims").object()) one.claims[solver] = outcomeFrom(word.string());
+  for (const auto& [solver, defect] : member(row, "open_defects").object())
+    one.openDefects[solver] = {outcomeFrom(member(defect, "outcome").string()), member(defect, "why").string()};
   for (const Value& check : member(row, "checks").array())
     one.checks.push_back({member(check, "kind").string(), member(check, "what").string(),
                           member(check, "project").string(), member(check, "source").string(), check});
@@ -76,6 +78,12 @@ bool Check::flag(const char* key) const {
 Outcome Case::claimOf(const std::string& solver) const {
   const auto own = claims.find(solver);
   return own != claims.end() ? own->second : claims.at("*");
+}
+
+const std::pair<Outcome, std::string>* Case::openDefectOf(const std::string& solver) const {
+  auto found = openDefects.find(solver);
+  if (found == openDefects.end()) found = openDefects.find("*");
+  return found == openDefects.end() ? nullptr : &found->second;
 }
 
 std::filesystem::path casesFolder() {

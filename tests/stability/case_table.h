@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/document.h"
@@ -42,11 +43,15 @@ struct Case {
   std::string folder, title, breaks;
   std::string says;                       ///< expression that a sentence of "left_out" must match
   std::map<std::string, Outcome> claims;  ///< by solver; "*" for those that are not named
+  /// What falls short of its claim and is known to: by solver ("*": all others) the outcome, and why.
+  std::map<std::string, std::pair<Outcome, std::string>> openDefects;
   bool fast = false;
   double seconds = 0;  ///< CPU time that one run of the program may take
   std::vector<Check> checks;
 
   [[nodiscard]] Outcome claimOf(const std::string& solver) const;
+  /// The solver's open defect, or null.
+  [[nodiscard]] const std::pair<Outcome, std::string>* openDefectOf(const std::string& solver) const;
 };
 
 std::filesystem::path casesFolder();

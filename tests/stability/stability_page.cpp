@@ -88,6 +88,12 @@ std::string stabilityPage(const std::vector<Case>& cases, const std::vector<std:
     for (const auto& [outcome, count] : sums[solver]) page += fmt::format(" {} {},", count, wordFor(outcome));
     page.back() = '\n';
   }
+  std::string open;
+  for (const Case& one : cases)
+    for (const auto& [solver, defect] : one.openDefects)
+      open += fmt::format("- {}, {} {}: {}\n", link(one), solver == "*" ? "all" : '`' + solver + '`',
+                          wordFor(defect.first), defect.second);
+  if (!open.empty()) page += "\n## Open defects\n\nShort of what is claimed, and known to be:\n\n" + open;
   for (const Case& one : cases) {
     page += fmt::format("\n<a id=\"case-{}\"></a>\n## {}. {}\n\n{}\n\n{}", one.number, one.number, one.title,
                         one.breaks, figuresOf(one));

@@ -63,13 +63,20 @@ INSTANTIATE_TEST_SUITE_P(Scenes, StabilityCase, testing::ValuesIn(readCases()), 
   return "Case" + name;
 });
 
-// The page keeps what the solvers claim: an entry that is worse than its claim is a defect that is known.
+// The page keeps what the solvers claim: an entry that is worse than its claim is a defect that is known, as bad as it
+// is known to be.
 TEST(StabilityPage, EntriesAreAsGoodAsTheirClaims) {
   const Record record = recorded();
   for (const Case& one : readCases())
     for (const std::string& solver : solverNames()) {
       ASSERT_TRUE(record.contains(one.number) && record.at(one.number).contains(solver))
           << "case " << one.number << ", " << solver << ": not on the page; run script/stability";
+      if (const auto* known = one.openDefectOf(solver)) {
+        EXPECT_EQ(wordFor(record.at(one.number).at(solver)), wordFor(known->first))
+            << "case " << one.number << " (" << one.title << "), " << solver
+            << ": no longer so; take it out of the open defects in tests/stability/make";
+        continue;
+      }
       EXPECT_FALSE(isWorse(record.at(one.number).at(solver), one.claimOf(solver)))
           << "case " << one.number << " (" << one.title << "), " << solver << ": "
           << wordFor(record.at(one.number).at(solver)) << ", claimed is " << wordFor(one.claimOf(solver));

@@ -1,10 +1,13 @@
 // The suite itself: its table is whole, its page reads back, and what is off is seen to be off.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <regex>
 #include <set>
+#include <sstream>
 
 #include "stability/judge.h"
 #include "stability/stability_page.h"
@@ -30,6 +33,31 @@ TEST(StabilityTable, HasAllFortyCasesWithTheirProjects) {
   EXPECT_EQ(numbers.size(), 40u);
   EXPECT_EQ(*numbers.begin(), 1);
   EXPECT_EQ(*numbers.rbegin(), 40);
+}
+
+// A claim is given up by decision 0030 only: its table names each solver and case, and nothing else.
+TEST(StabilityTable, GivesUpWhatTheDecisionSays) {
+  const auto file = std::filesystem::path(GONIOLUX_SOURCE_DIR) / "docs" / "decisions" / "0030-claims-of-solvers.md";
+  std::istringstream lines(core::readFile(file.string()));
+  std::set<std::pair<std::string, int>> decided, given;
+  for (std::string line; std::getline(lines, line);) {
+    static const std::regex row(R"(\| ((?:`[a-z]+`(?:, )?)+) \| ([0-9, ]+) \|.*)");
+    std::smatch parts;
+    if (!std::regex_match(line, parts, row)) continue;
+    static const std::regex name("`([a-z]+)`"), number("[0-9]+");
+    const std::string solvers = parts[1], cases = parts[2];
+    for (std::sregex_iterator s(solvers.begin(), solvers.end(), name), end; s != end; ++s)
+      for (std::sregex_iterator c(cases.begin(), cases.end(), number); c != end; ++c)
+        decided.emplace((*s)[1], std::stoi(c->str()));
+  }
+  for (const Case& one : readCases())
+    for (const std::string& solver : solverNames())
+      if (isWorse(one.claimOf(solver), Outcome::right)) given.emplace(solver, one.number);
+  for (const auto& [solver, number] : given)
+    EXPECT_TRUE(decided.contains({solver, number})) << solver << " gives up case " << number << " without a decision";
+  for (const auto& [solver, number] : decided)
+    EXPECT_TRUE(given.contains({solver, number}))
+        << solver << " claims case " << number << ", which the decision gives up";
 }
 
 TEST(StabilityPage, ReadsBackAsWhatItWasWrittenFrom) {

@@ -13,11 +13,15 @@ class Case:
     right: every figure within its interval, to the accuracy asked for.  wide: the same, but the interval is wider.
     says: the figure is off, and the results' "left_out" names what is missing (the expression `says`).
     refused: nothing is calculated, and the message says why.
+
+    `open_defects`: what falls short of its claim and is known to: solver, outcome and why. A test turns red when it passes.
     """
 
-    def __init__(self, number, name, title, breaks, says="", claims=None, fast=True, seconds=DEFAULT_SECONDS):
+    def __init__(self, number, name, title, breaks, says="", claims=None, fast=True, seconds=DEFAULT_SECONDS,
+                 open_defects=None):
         self.number, self.folder, self.title, self.breaks = number, f"{number:02}-{name}", title, breaks
         self.says, self.claims, self.fast, self.seconds = says, {"*": "right", **(claims or {})}, fast, seconds
+        self.open_defects = open_defects or {}
         self.projects, self.files, self.checks = {}, {}, []
         CASES.append(self)
 
@@ -196,5 +200,7 @@ def write(root):
                 stale.unlink()
         table.append({"case": case.number, "folder": case.folder, "title": case.title, "breaks": case.breaks,
                       "says": case.says, "claims": case.claims, "fast": case.fast, "seconds": case.seconds,
+                      "open_defects": {solver: {"outcome": outcome, "why": why}
+                                       for solver, (outcome, why) in case.open_defects.items()},
                       "checks": case.checks})
     (root / "cases.json").write_text(line(rounded({"cases": table})) + "\n")
