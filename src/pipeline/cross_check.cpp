@@ -226,13 +226,14 @@ std::vector<std::string> drawDifferences(const CrossCheck& check, const project:
     const GridResult& grid = check.differences[g];
     if (std::none_of(grid.values.begin(), grid.values.end(), [](double v) { return std::isfinite(v); })) continue;
     MapOptions options;
-    options.levels = {-4, -3, -2, -1, 1, 2, 3, 4};
+    options.levels = {-4, -3, -2, 2, 3, 4};  // noise is one colour
     plot::PlanMap map = planMapOf(head, grid, &outline, options);
-    double most = 2;
+    double most = 3;
     for (const double v : grid.values)
       if (std::isfinite(v)) most = std::max(most, std::abs(v));
     map.lowest = -most;
     map.highest = most;
+    map.subtitle = fmt::format("Two solvers on the grid “{}”: within ± 1 is noise, beyond ± 2 hardly", grid.name);
     map.legendTitle = fmt::format("{} less {}", check.other, check.one);
     map.unit = "joined half-widths";
     map.facts = {

@@ -133,7 +133,7 @@ def metal_furnace():
                                       "metal": {"model": "conductor", "ior": 1, "k": 2000, "roughness": alpha}},
                      objects=[box([-2, -2, -2], [2, 2, 2], "glow"),
                               {"name": "ball", "shape": "sphere", "center": [0, 0, 0], "radius": 0.5, "material": "metal"}],
-                     grids=[points([[0, 0, 0.6], [0.7, 0, 0]], normals=[[0, 0, -1], [-1, 0, 0]])],
+                     grids=[points([[0, 0, 1.2], [1.4, 0, 0]], normals=[[0, 0, -1], [-1, 0, 0]])], image="20 %",
                      views=[view([-1.6, 0, 0], [0, 0, 0], fov=30, size=48, up=[0, 0, 1])])
         case.points(f"light that the ball throws back, roughness {alpha:g}", [100 * math.pi] * 2,
                     "furnace: all luminances are 100 cd/m2; 1 % for the compensation's fit", project=name, tolerance=0.01)

@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 
 CASES = []
-DEFAULT_SECONDS = 20
+DEFAULT_SECONDS = 10
 
 
 class Case:
@@ -66,7 +66,7 @@ class Case:
 
 
 def project(name, objects, luminaires=(), grids=(), materials=None, accuracy="1 %", views=(), observers=(), units=None,
-            settings=None):
+            settings=None, image="5 %"):
     document = {"format": "goniolux-project", "version": 1, "name": name}
     if units:
         document["units"] = units
@@ -79,7 +79,7 @@ def project(name, objects, luminaires=(), grids=(), materials=None, accuracy="1 
         document["observers"] = list(observers)
     if views:
         document["views"] = list(views)
-    document["settings"] = {"accuracy": {"grid": accuracy, "image": "5 %"}, **(settings or {})}
+    document["settings"] = {"accuracy": {"grid": accuracy, "image": image}, **(settings or {})}
     return document
 
 
