@@ -56,6 +56,38 @@ std::string figuresOf(const Case& one) {
   return text;
 }
 
+/// A case's row of the table, and its part of the page.
+struct Entry {
+  std::string row, part;
+};
+
+Entry entryOf(const Case& one, const std::vector<std::string>& solvers,
+              const std::map<std::string, CaseOutcome>& outcomes) {
+  Entry entry;
+  entry.row = fmt::format("| {} | {} |", one.number, link(one));
+  std::string remarks;
+  for (const std::string& solver : solvers) {
+    const CaseOutcome& outcome = outcomes.at(solver);
+    entry.row += fmt::format(" {} |", wordFor(outcome.outcome));
+    if (isWorse(outcome.outcome, Outcome::right))
+      remarks += fmt::format("- `{}` {}: {}\n", solver, wordFor(outcome.outcome), outcome.detail(one));
+  }
+  entry.row += fmt::format(" {:.1f} |\n", outcomes.at(solvers.front()).cpuSeconds);
+  entry.part = fmt::format("\n<a id=\"case-{}\"></a>\n## {}. {}\n\n{}\n\n{}", one.number, one.number, one.title,
+                           one.breaks, figuresOf(one));
+  if (!remarks.empty()) entry.part += "\nNot right:\n\n" + remarks;
+  return entry;
+}
+
+Entry entryIn(const std::string& page, int number) {
+  const std::size_t row = page.find(fmt::format("\n| {} | [", number)) + 1;
+  const std::size_t part = page.find(fmt::format("\n<a id=\"case-{}\"></a>", number));
+  if (row == std::string::npos + 1 || part == std::string::npos)
+    throw std::runtime_error(fmt::format("case {} has neither an outcome nor an entry on the page", number));
+  const std::size_t next = page.find("\n<a id=", part + 1);
+  return {page.substr(row, page.find('\n', row) + 1 - row), page.substr(part, next - part)};
+}
+
 }  // namespace
 
 std::filesystem::path pageFile() {
@@ -63,49 +95,36 @@ std::filesystem::path pageFile() {
 }
 
 std::string stabilityPage(const std::vector<Case>& cases, const std::vector<std::string>& solvers,
-                          const Outcomes& outcomes) {
-  std::string page = opening;
-  page += "| case | scene |";
-  for (const std::string& solver : solvers) page += " " + solver + " |";
-  page += " s |\n|---|---|";
-  for (std::size_t i = 0; i <= solvers.size(); ++i) page += "---|";
-  page += "\n";
-  std::map<std::string, std::map<Outcome, int>> sums;
-  for (const Case& one : cases) {
-    page += fmt::format("| {} | {} |", one.number, link(one));
-    for (const std::string& solver : solvers) {
-      const Outcome outcome = outcomes.at(one.number).at(solver).outcome;
-      page += fmt::format(" {} |", wordFor(outcome));
-      ++sums[solver][outcome];
-    }
-    page += fmt::format(" {:.1f} |\n", outcomes.at(one.number).at(solvers.front()).cpuSeconds);
+                          const Outcomes& outcomes, const std::string& before) {
+  std::string table = "| case | scene |", rule = "|---|---|", parts, open;
+  for (const std::string& solver : solvers) {
+    table += " " + solver + " |";
+    rule += "---|";
   }
+  table += " s |\n" + rule + "---|\n";
+  for (const Case& one : cases) {
+    const auto run = outcomes.find(one.number);
+    const Entry entry = run != outcomes.end() ? entryOf(one, solvers, run->second) : entryIn(before, one.number);
+    table += entry.row;
+    parts += entry.part;
+    for (const auto& [solver, defect] : one.openDefects)
+      open += fmt::format("- {}, {} {}: {}\n", link(one), solver == "*" ? "all" : '`' + solver + '`',
+                          wordFor(defect.first), defect.second);
+  }
+  std::string page = opening + table;
   page +=
       "\nThe last column is the CPU time of `auto` for all projects of the case, on the machine that wrote this "
       "page.\n\n";
+  std::map<std::string, std::map<Outcome, int>> sums;
+  for (const auto& [number, row] : recordFrom(page))
+    for (const auto& [solver, outcome] : row) ++sums[solver][outcome];
   for (const std::string& solver : solvers) {
     page += fmt::format("- `{}`:", solver);
     for (const auto& [outcome, count] : sums[solver]) page += fmt::format(" {} {},", count, wordFor(outcome));
     page.back() = '\n';
   }
-  std::string open;
-  for (const Case& one : cases)
-    for (const auto& [solver, defect] : one.openDefects)
-      open += fmt::format("- {}, {} {}: {}\n", link(one), solver == "*" ? "all" : '`' + solver + '`',
-                          wordFor(defect.first), defect.second);
   if (!open.empty()) page += "\n## Open defects\n\nShort of what is claimed, and known to be:\n\n" + open;
-  for (const Case& one : cases) {
-    page += fmt::format("\n<a id=\"case-{}\"></a>\n## {}. {}\n\n{}\n\n{}", one.number, one.number, one.title,
-                        one.breaks, figuresOf(one));
-    std::string remarks;
-    for (const std::string& solver : solvers) {
-      const CaseOutcome& outcome = outcomes.at(one.number).at(solver);
-      if (!isWorse(outcome.outcome, Outcome::right)) continue;
-      remarks += fmt::format("- `{}` {}: {}\n", solver, wordFor(outcome.outcome), outcome.detail(one));
-    }
-    if (!remarks.empty()) page += "\nNot right:\n\n" + remarks;
-  }
-  return page;
+  return page + parts;
 }
 
 Record recordFrom(const std::string& page) {

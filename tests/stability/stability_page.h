@@ -17,8 +17,9 @@ using Outcomes = std::map<int, std::map<std::string, CaseOutcome>>;
 using Record = std::map<int, std::map<std::string, Outcome>>;
 
 std::filesystem::path pageFile();
+/// `before`: an earlier page, whose entries stay for the cases that have no outcome.
 std::string stabilityPage(const std::vector<Case>& cases, const std::vector<std::string>& solvers,
-                          const Outcomes& outcomes);
+                          const Outcomes& outcomes, const std::string& before = "");
 /// The table of a page. Throws std::runtime_error where it cannot be read.
 Record recordFrom(const std::string& page);
 

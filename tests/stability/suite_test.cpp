@@ -72,10 +72,18 @@ TEST(StabilityPage, ReadsBackAsWhatItWasWrittenFrom) {
                                               : Outcome::right;
       outcome.checks.resize(one.checks.size());
     }
-  const Record record = recordFrom(stabilityPage(cases, solvers, outcomes));
+  const std::string page = stabilityPage(cases, solvers, outcomes);
+  const Record record = recordFrom(page);
   ASSERT_EQ(record.size(), cases.size());
   for (const auto& [number, row] : outcomes)
     for (const auto& [solver, outcome] : row) EXPECT_EQ(record.at(number).at(solver), outcome.outcome);
+  // Some cases run anew: the others' entries stay.
+  Outcomes some;
+  some[7] = outcomes[7];
+  some[7]["path"].outcome = Outcome::says;
+  const std::string mended = stabilityPage(cases, solvers, some, page);
+  EXPECT_EQ(recordFrom(mended).at(7).at("path"), Outcome::says);
+  EXPECT_EQ(stabilityPage(cases, solvers, {{7, outcomes[7]}}, mended), page);
 }
 
 TEST(StabilityRecord, KnowsWhatIsWorse) {

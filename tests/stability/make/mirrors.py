@@ -160,7 +160,7 @@ def lamp_in_mirrors():
     case = Case(39, "lamp-in-mirrors", "A lamp far brighter than white, after ten mirrors of 0.5",
                 "A cut-off that takes everything for no brighter than white drops its image, which is brighter than the "
                 "room.")
-    luminance, radius, rho = 1e6, 0.1, 0.5
+    luminance, radius, rho = 1e6, 0.04, 0.5
     case.project("project.json", materials={"mirror": mirror(rho), "white": grey(0.8)},
                  objects=[rectangle([0, -1, 0], [0, 2, 0], [0, 0, 3], "mirror", "left"),
                           rectangle([2, -1, 0], [0, 2, 0], [0, 0, 3], "mirror", "right"),
