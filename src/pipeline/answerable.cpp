@@ -28,12 +28,21 @@ bool haveOneFinish(const project::Project& project, const Object& a, const Objec
          std::all_of(b.materials.begin(), b.materials.end(), isAlike);
 }
 
+/// Bodies of glass or water may overlap: the later one displaces the earlier, also where their faces lie in one
+/// another.
+bool areGlass(const project::Project& project, const Object& object) {
+  const auto& materials = project.environment.materials;
+  return object.shape.closed && std::all_of(object.materials.begin(), object.materials.end(), [&](std::uint32_t index) {
+           return materials[index].model == "dielectric" && !materials[index].numbers.contains("thickness_m");
+         });
+}
+
 void findContradictions(const project::Project& project, core::Diagnostics& found) {
   const auto& objects = project.environment.objects;
   core::Diagnostics notSearched;  // `check` names what is too large to be searched
   for (const geometry::Coincidence& c : coincidencesOf(project, notSearched)) {
     const Object &first = objects[c.first], &second = objects[c.second];
-    if (haveOneFinish(project, first, second)) continue;
+    if (haveOneFinish(project, first, second) || (areGlass(project, first) && areGlass(project, second))) continue;
     found.error(second.position, "coincident",
                 fmt::format("\"{}\" lies in the same plane as \"{}\" (line {}) with another finish, both seen, at {}: "
                             "which one light meets is chance, so there is no answer; move it by a millimetre, or let "

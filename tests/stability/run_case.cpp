@@ -35,6 +35,14 @@ double childrensCpu() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+/// Messages name files; the page does not name this machine's folders.
+std::string withoutFolder(std::string text) {
+  const std::string folder = casesFolder().string() + '/';
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+    text.erase(at, folder.size());
+  return text;
+}
+
 class Runner {
  public:
   Runner(const Case& one, const std::string& solver) : case_(one), solver_(solver) {}
@@ -73,7 +81,7 @@ class Runner {
     command.push_back(threads);
     const test::Outcome outcome = test::Running(command).wait();
     Run run;
-    run.message = outcome.err + outcome.out;
+    run.message = withoutFolder(outcome.err + outcome.out);
     constexpr int signalled = 128, killed = 9, outOfCpu = 24;
     if (outcome.exitCode == signalled + killed || outcome.exitCode == signalled + outOfCpu || outcome.exitCode < 0) {
       run.trouble = Outcome::tooSlow;
@@ -128,7 +136,7 @@ class Runner {
     for (const Value& warning : run.document.find("warnings")->array()) {
       const std::string& message = warning.find("message")->string();
       if (!std::regex_search(message, wanted)) continue;
-      return {check.flag("absent") ? Outcome::wrong : Outcome::right, message};
+      return {check.flag("absent") ? Outcome::wrong : Outcome::right, withoutFolder(message)};
     }
     return {check.flag("absent") ? Outcome::right : Outcome::wrong, "no such warning"};
   }
