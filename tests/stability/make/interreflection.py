@@ -25,7 +25,7 @@ def cube(case, name, reflectance, room):
 
 def bright_rooms():
     case = Case(11, "bright-rooms", "Closed rooms of reflectance 0.95 and 0.99",
-                "A cap of n reflections loses rho^n of the interreflected light: a quarter and more.", **LEFT, seconds=60)
+                "A cap of n reflections loses rho^n of the interreflected light: a quarter and more.", **LEFT, fast=False, seconds=60)
     area = 4 * math.pi
     for rho, name in ((0.95, "project.json"), (0.99, "sphere-99.json")):
         case.project(name, materials={"white": grey(rho)}, objects=[SPHERE], luminaires=[lamp([0, 0, 0], flux=1000)],
@@ -128,7 +128,7 @@ def ranges_of_spectra():
 def metal_furnace():
     case = Case(33, "metal-furnace", "A rough white metal in a furnace",
                 "One reflection between the facets is not all: 69 % of the light is lost at roughness 1; a highlight that "
-                "is not normalised gains light.", **LEFT)
+                "is not normalised gains light.", **LEFT, fast=False)
     for alpha in (0.3, 1.0):
         name = "project.json" if alpha == 1.0 else "smoother.json"
         case.project(name, materials={"glow": grey(0, exitance_lm_m2=100 * math.pi),
