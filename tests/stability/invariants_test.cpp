@@ -69,7 +69,7 @@ TEST(Invariants, FluxEmittedIsAbsorbedOrEscapes) {
   // How well the mean of 12 x 9 points stands for a face: direct light has no noise, and the sum is known exactly.
   const double grids =
       std::abs(fluxAt(resultsOf(roomWithMetersOnItsFaces("black"), "path"), {1, 1, 1, 1, 1, 1}).value - 1000);
-  EXPECT_LT(grids, 2);
+  EXPECT_LT(grids, 5);
   for (const std::string& solver : interreflectingSolvers())
     for (const auto& [material, absorbs] : {std::pair{"grey", 0.5}, std::pair{"white", 0.2}}) {
       RoomText room = roomWithMetersOnItsFaces(material);
