@@ -80,7 +80,9 @@ def light_guide():
 
 def overlap():
     case = Case(24, "glass-in-water", "Glass that overlaps the water about it",
-                "The index is multiplied twice, or a gap of air makes the reflection 16 times as large.", says=GLASS)
+                "The index is multiplied twice, or a gap of air makes the reflection 16 times as large.", says=GLASS,
+                open_defects={solver: ("wide", "pictures stop short of the accuracy asked where reflections are left to chance, "
+                                       "whatever number of samples is allowed") for solver in ("auto", "path", "gather")})
 
     def stack(*indices):
         through, back = 1.0, 0.0  # of the interfaces so far, symmetric
@@ -97,8 +99,7 @@ def overlap():
 
     for name, order in (("project.json", ("water", "glass")), ("other-order.json", ("glass", "water"))):
         case.project(name, materials={"glass": glass(1.5), "water": glass(1.33), **PANEL},
-                     objects=bodies(order) + [panel(0.5)], views=[view([0, 0, -1], [0, 0, 0], fov=0.1, size=32)],
-                     image="10 %")
+                     objects=bodies(order) + [panel(0.5)], views=[view([0, 0, -1], [0, 0, 0], fov=0.1, size=32)])
         case.seen(f"luminance of a panel of 100 cd/m2 through both, first {order[0]}", "eye", [16, 16],
                   100 * stack(1, 1.33, 1.5, 1), "three interfaces: R 0.020060, 0.003608, 0.04, and between them",
                   project=name, tolerance=1e-3, radius=12)
