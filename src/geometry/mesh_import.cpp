@@ -249,10 +249,12 @@ Shape importMesh(const std::string& file, double scale, bool yIsUp) {
   for (Vec3& p : shape.mesh.vertices) p = scale * (yIsUp ? Vec3(p.x, -p.z, p.y) : p);
   nameParts(collector.labels, shape);
   mergeVertices(shape.mesh, 1e-9 * glm::length(boundsOf(shape.mesh).extent()));
-  // Collinear triangles hold the surface together: orientation and tightness are looked at before they go.
+  // Collinear triangles may hold the surface together, or lie on it beside: tightness is looked at with and without
+  // them.
   const std::size_t collapsed = removeCollapsedTriangles(shape.mesh);
-  shape.closed = orientOutward(shape.mesh).watertight();
+  const bool closedByThem = orientOutward(shape.mesh).watertight();
   const std::size_t dropped = collapsed + removeDegenerateTriangles(shape.mesh);
+  shape.closed = closedByThem || (dropped > 0 && orientOutward(shape.mesh).watertight());
   if (shape.mesh.triangles.empty()) name.refuse("holds no triangle with an area");
   if (dropped > 0) {
     shape.remarks.push_back(

@@ -2,6 +2,8 @@
 // every error and warning.
 #include <fmt/format.h>
 
+#include "pipeline/cross_check.h"
+#include "pipeline/engine.h"
 #include "pipeline/geometry_findings.h"
 #include "pipeline/repair.h"
 #include "pipeline/stages.h"
@@ -35,7 +37,22 @@ std::string summary(const project::Project& project) {
                      count(project.views.size(), "view"));
 }
 
-StageReport run(const StageRequest& request, core::ProgressSink&) {
+/// Both solvers' numbers, and pictures of where they differ.
+void addCrossCheck(const StageRequest& request, core::ProgressSink& progress, StageReport& report,
+                   core::Diagnostics& found) {
+  const project::Project project = readProjectFor(request, AccuracyOf::grids);
+  const CrossCheck check = crossCheck(project, progress);
+  const std::vector<std::string> pictures = drawDifferences(check, project, resultsFolder(request, project), found);
+  report.text += textOf(check);
+  core::Value json = toJson(check);
+  json.set("pictures", core::Value::arrayOf(pictures));
+  report.json.set("cross", std::move(json));
+  report.files.insert(report.files.end(), pictures.begin(), pictures.end());
+  report.verdictFailed = !check.agrees();
+  report.unfinished = progress.cancelled();
+}
+
+StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   StageReport report;
   core::Diagnostics found;
   try {
@@ -53,6 +70,7 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
       report.json.set("repairs", core::Value::arrayOf(repairs));
       if (!repairs.empty()) report.files.push_back(fix->second);
     }
+    if (request.options.contains("cross")) addCrossCheck(request, progress, report, found);
   } catch (const core::InputError& error) {
     // The errors are what this stage was asked for: they are its result, and the exit code still says that input is
     // bad.
@@ -85,7 +103,15 @@ Stage checkStage() {
   fix.title = "new project file";
   fix.kind = core::ParameterKind::text;
   fix.help = "writes the project with what can be mended safely: surfaces in one plane parted, cracks in meshes joined";
-  stage.options = {fix};
+  core::Parameter cross;
+  cross.key = "cross";
+  cross.title = "two solvers on the project";
+  cross.kind = core::ParameterKind::boolean;
+  cross.help =
+      "calculates the grids by two solvers and names every place where they differ beyond both intervals (exit code "
+      "1); "
+      "cross-NAME.png shows the differences";
+  stage.options = {fix, cross};
   stage.run = run;
   return stage;
 }

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "pipeline/answerable.h"
+
 namespace goniolux::pipeline {
 
 project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy) {
@@ -32,13 +34,15 @@ std::string resultsFolder(const StageRequest& request, const project::Project& p
 }
 
 Engine::Engine(const project::Project& project, bool forColour)
-    : world(scene::buildWorld(project.environment)),
+    : hidden(hiddenLuminaires(project)),
+      world((refuseWhatHasNoAnswer(project), scene::buildWorld(project.environment))),
       tracer(world),
       plan(planner::makePlan(project, world, forColour)),
       solver(solver::findSolverType(plan.solver)->make(problem())) {}
 
 std::vector<std::string> leftOutSentences(const Engine& engine) {
   std::vector<std::string> sentences = engine.solver->leftOut();
+  sentences.insert(sentences.end(), engine.hidden.begin(), engine.hidden.end());
   for (const planner::Omission& omission : engine.plan.leftOut) {
     if (omission.bound > 0)
       sentences.push_back(fmt::format("{}: at most {:.2g} {}", omission.what, omission.bound, omission.unit));

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "pipeline/stage.h"
 #include "planner/plan.h"
@@ -23,10 +24,12 @@ project::Project readProjectFor(const StageRequest& request, AccuracyOf accuracy
 std::string resultsFolder(const StageRequest& request, const project::Project& project);
 
 struct Engine {
+  /// Throws core::InputError for projects that have no answer (pipeline/answerable.h) and for settings that do not fit.
   Engine(const project::Project& project, bool forColour);
 
   [[nodiscard]] solver::Problem problem() const { return {world, tracer, plan.quadrature, plan.accuracy, plan.tree}; }
 
+  std::vector<std::string> hidden;  ///< sentences: luminaires that a closed object shuts in
   scene::World world;
   tracer::Tracer tracer;
   planner::Plan plan;

@@ -1,0 +1,104 @@
+#include "pipeline/answerable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/inside.h"
+#include "geometry/queries.h"
+#include "pipeline/geometry_findings.h"
+
+namespace goniolux::pipeline {
+namespace {
+
+using scene::Object;
+
+bool areAlike(const material::Material& a, const material::Material& b) {
+  const bool emits = a.emission.has_value() || b.emission.has_value();
+  return !emits && a.model == b.model && a.spectra == b.spectra && a.numbers == b.numbers;
+}
+
+/// True when light finds the same finish whichever of the two it meets.
+bool haveOneFinish(const project::Project& project, const Object& a, const Object& b) {
+  const auto& materials = project.environment.materials;
+  const material::Material& first = materials[a.materials.front()];
+  const auto isAlike = [&](std::uint32_t index) { return areAlike(first, materials[index]); };
+  return std::all_of(a.materials.begin(), a.materials.end(), isAlike) &&
+         std::all_of(b.materials.begin(), b.materials.end(), isAlike);
+}
+
+/// Bodies of glass or water may overlap: the later one displaces the earlier, also where their faces lie in one
+/// another.
+bool areGlass(const project::Project& project, const Object& object) {
+  const auto& materials = project.environment.materials;
+  return object.shape.closed && std::all_of(object.materials.begin(), object.materials.end(), [&](std::uint32_t index) {
+           return materials[index].model == "dielectric" && !materials[index].numbers.contains("thickness_m");
+         });
+}
+
+void findContradictions(const project::Project& project, core::Diagnostics& found) {
+  const auto& objects = project.environment.objects;
+  core::Diagnostics notSearched;  // `check` names what is too large to be searched
+  for (const geometry::Coincidence& c : coincidencesOf(project, notSearched)) {
+    const Object &first = objects[c.first], &second = objects[c.second];
+    if (haveOneFinish(project, first, second) || (areGlass(project, first) && areGlass(project, second))) continue;
+    found.error(second.position, "coincident",
+                fmt::format("\"{}\" lies in the same plane as \"{}\" (line {}) with another finish, both seen, at {}: "
+                            "which one light meets is chance, so there is no answer; move it by a millimetre, or let "
+                            "`goniolux check --fix` part them",
+                            second.name, first.name, first.position.line, placeText(c.place)));
+  }
+}
+
+void findOpenGlass(const project::Project& project, core::Diagnostics& found) {
+  for (const Object& object : project.environment.objects) {
+    if (object.shape.closed) continue;
+    for (const std::uint32_t index : object.materials) {
+      const material::Material& material = project.environment.materials[index];
+      if (material.model != "dielectric" || material.numbers.contains("thickness_m")) continue;
+      found.error(
+          object.position, "open-glass",
+          fmt::format("\"{}\" is of \"{}\", but its surface is not closed: glass without an inside has no answer; "
+                      "close it, or give the material a \"thickness_m\" for a thin pane",
+                      object.name, material.name));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void refuseWhatHasNoAnswer(const project::Project& project) {
+  core::Diagnostics found;
+  findContradictions(project, found);
+  findOpenGlass(project, found);
+  if (found.hasErrors()) throw core::InputError(found);
+}
+
+std::vector<std::string> hiddenLuminaires(const project::Project& project) {
+  std::vector<std::string> sentences;
+  const auto& materials = project.environment.materials;
+  for (const Object& object : project.environment.objects) {
+    const bool isGlass = std::any_of(object.materials.begin(), object.materials.end(),
+                                     [&](std::uint32_t index) { return materials[index].model == "dielectric"; });
+    if (object.facesInward || !object.shape.closed || isGlass) continue;
+    for (const core::Mat4& place : scene::placesOf(object)) {
+      const geometry::Bounds box = geometry::bounds(object.shape, place);
+      std::optional<geometry::InsideTest> test;  // dear for a large mesh: only where the box says maybe
+      for (const scene::Luminaire& luminaire : project.environment.luminaires) {
+        const core::Vec3& c = luminaire.center;
+        if (!glm::all(glm::lessThan(box.min, c)) || !glm::all(glm::lessThan(c, box.max))) continue;
+        if (!test) test.emplace(object.shape, place);
+        if (!test->contains(c)) continue;
+        sentences.push_back(fmt::format(
+            "the light of \"{}\", which is inside \"{}\": it does not come out; move it to the mouth of its "
+            "housing",
+            luminaire.name, object.name));
+      }
+    }
+  }
+  return sentences;
+}
+
+}  // namespace goniolux::pipeline
