@@ -18,6 +18,8 @@
 #include "pipeline/illuminate.h"
 #include "pipeline/plot.h"
 #include "pipeline/stages.h"
+#include "pipeline/study_choices.h"
+#include "pipeline/text_option.h"
 #include "project/settings_reader.h"
 
 namespace goniolux::pipeline {
@@ -26,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double defaultTime_s = 120;
+constexpr double suiteTime_s = 1080;  // of all projects together: with charts and pages under twenty minutes
 constexpr double ladder[] = {0.1, 0.05, 0.02, 0.01, 0.005};
 constexpr double referenceShare = 0.4;           // of the time
 constexpr double referenceAccuracy = 0.0015;     // finer than any rung, if time allows
@@ -126,17 +129,15 @@ std::string tableOf(const std::vector<StudyRun>& runs) {
   return text;
 }
 
-void draw(const std::string& folder, const plot::LineChart& chart, StageReport& report) {
-  const std::string figure = (fs::path(folder) / "work-precision.figure.json").string();
+void draw(const std::string& folder, const std::string& name, const plot::LineChart& chart, StageReport& report) {
+  const std::string stem = (fs::path(folder) / name).string(), figure = stem + ".figure.json";
   core::writeFile(figure, core::toJson(plot::toJson(chart)));
-  const std::string png = (fs::path(folder) / "work-precision.png").string(),
-                    svg = (fs::path(folder) / "work-precision.svg").string();
-  if (const std::string trouble = drawFigure(figure, {png, svg}); !trouble.empty()) {
+  if (const std::string trouble = drawFigure(figure, {stem + ".png", stem + ".svg"}); !trouble.empty()) {
     report.warnings.warning({}, "cannot-draw",
                             fmt::format("drawing is not possible here: {}; the numbers are in {}", trouble, figure));
     return;
   }
-  report.files.insert(report.files.end(), {png, svg});
+  report.files.insert(report.files.end(), {stem + ".png", stem + ".svg"});
 }
 
 /// One project's study, kept in `folder`.
@@ -214,7 +215,8 @@ void writeStudy(const ProjectStudy& study, const std::string& folder, StageRepor
   const std::string csv = (fs::path(folder) / "study.csv").string();
   core::writeFile(csv, studyCsv(study.runs));
   report.files.push_back(csv);
-  if (!study.runs.empty()) draw(folder, workPrecisionChart(study.name, study.runs, study.reference), report);
+  if (!study.runs.empty())
+    draw(folder, "work-precision", workPrecisionChart(study.name, study.runs, study.reference), report);
 }
 
 std::string studyText(const ProjectStudy& study) {
@@ -241,11 +243,74 @@ core::Value studyJson(const ProjectStudy& study) {
   return json;
 }
 
-StageReport study(const StageRequest& request, core::ProgressSink& progress) {
-  const double time = request.common.timeLimit_s.value_or(defaultTime_s);
+std::string choiceText(const std::string& project, const ChoiceStudy& choice, const ChoiceResult& result) {
+  std::string text = fmt::format("{}: {}\n", project, choice.title);
+  std::vector<std::size_t> widths;
+  for (const std::string& column : result.columns) widths.push_back(column.size() + 2);
+  for (const auto& row : result.rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size() + 2);
+  const auto line = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) text += fmt::format("{:>{}}", cells[i], widths[i]);
+    text += "\n";
+  };
+  line(result.columns);
+  for (const auto& row : result.rows) line(row);
+  for (const std::string& fact : result.chart.facts) text += "  " + fact + "\n";
+  return text;
+}
+
+/// A study of one choice, of each project.
+StageReport studyOf(const ChoiceStudy& choice, const StageRequest& request, core::ProgressSink& progress) {
   StageReport report;
   const std::vector<std::string> paths = findProjects(request.inputs);
-  const bool several = paths.size() > 1;
+  for (const std::string& path : paths) {
+    StageRequest one = request;
+    one.inputs = {path};
+    const project::Project project = readProjectFor(one, AccuracyOf::grids);
+    report.warnings.append(project.warnings);
+    const std::string folder =
+        paths.size() == 1 ? request.common.output.value_or((fs::path(project.folder) / "study").string())
+                          : (fs::path(request.common.output.value_or("study")) / project::fileNameFor(path)).string();
+    const ChoiceResult result = choice.run(project, progress);
+    report.unfinished = progress.cancelled();
+    if (report.unfinished) return report;
+    fs::create_directories(folder);
+    const std::string csv = (fs::path(folder) / (choice.name + ".csv")).string();
+    std::string text = fmt::format("{}\n", fmt::join(result.columns, ","));
+    core::Value rows = core::Value::Array{};
+    for (const auto& row : result.rows) {
+      text += fmt::format("{}\n", fmt::join(row, ","));
+      core::Value entry;
+      for (std::size_t i = 0; i < row.size(); ++i) entry.set(result.columns[i], row[i]);
+      rows.push(std::move(entry));
+    }
+    core::writeFile(csv, text);
+    report.files.push_back(csv);
+    draw(folder, choice.name, result.chart, report);
+    report.text += choiceText(project.name, choice, result);
+    report.json.set("path", path);
+    report.json.set("project", project.name);
+    report.json.set("of", choice.name);
+    report.json.set("rows", std::move(rows));
+  }
+  return report;
+}
+
+StageReport study(const StageRequest& request, core::ProgressSink& progress) {
+  if (const auto of = request.options.find("of"); of != request.options.end()) {
+    if (const ChoiceStudy* choice = findChoiceStudy(of->second)) return studyOf(*choice, request, progress);
+    std::vector<std::string> names;
+    for (const ChoiceStudy& each : choiceStudies()) names.push_back(each.name);
+    throw core::InputError(
+        {}, "unknown-study",
+        fmt::format("there is no study of \"{}\"; there are {}", of->second, fmt::join(names, ", ")));
+  }
+  const bool suite = request.options.contains("suite");
+  const std::vector<std::string> paths = findProjects(request.inputs);
+  const bool several = suite || paths.size() > 1;
+  double time = request.common.timeLimit_s.value_or(suite ? suiteTime_s : defaultTime_s);
+  if (suite) time /= static_cast<double>(paths.size());
+  StageReport report;
   std::vector<ProjectStudy> studies;
   core::Value all = core::Value::Array{};
   for (const std::string& path : paths) {
@@ -303,9 +368,18 @@ Stage studyStage() {
       "colour), and holds each run against a long unbiased reference that it makes first: study.csv and the "
       "work-precision chart, the settings that `auto` chooses marked. Goes on where it was stopped; --time-limit is "
       "for each project, 120 s if not given. -o: folder, PROJECT/study if not given. With several projects, or folders "
-      "of projects, a page README.md shows them all.";
+      "of projects, a page README.md shows them all. With --of only one thing is varied:";
+  for (const ChoiceStudy& choice : choiceStudies()) stage.help += fmt::format(" {} ({});", choice.name, choice.help);
+  stage.help.back() = '.';
   stage.inputName = "PROJECT";
   stage.manyInputs = true;
+  core::Parameter of =
+      textOption("of", "a single choice", "", "draws what one choice costs or spoils: see above", false);
+  core::Parameter whole =
+      textOption("suite", "all projects in one time", "",
+                 "--time-limit (1080 s if not given) is for all projects together; makes the page", false);
+  whole.kind = core::ParameterKind::boolean;
+  stage.options = {of, whole};
   stage.run = study;
   return stage;
 }

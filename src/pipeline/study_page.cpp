@@ -12,6 +12,16 @@
 namespace goniolux::pipeline {
 namespace {
 
+constexpr double leastDrawn = 1e-6;  // RMS of exact runs, which have no logarithm
+
+double memory_GiB() {
+  std::ifstream info("/proc/meminfo");
+  std::string key;
+  double kibibytes = 0;
+  info >> key >> kibibytes;
+  return kibibytes / (1024 * 1024);
+}
+
 std::string processorName() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
@@ -23,13 +33,13 @@ std::string processorName() {
 double secondsTo(const std::vector<StudyRun>& runs, const std::string& line, double rms) {
   std::vector<const StudyRun*> own;
   for (const StudyRun& run : runs)
-    if (run.setting.line == line && run.rms > 0) own.push_back(&run);
+    if (run.setting.line == line) own.push_back(&run);
   std::sort(own.begin(), own.end(), [](const auto* a, const auto* b) { return a->rms > b->rms; });
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (own[i]->rms > rms) continue;
     if (i == 0) return own[i]->cpu_s;
     const StudyRun &coarse = *own[i - 1], &fine = *own[i];
-    const double share = std::log(coarse.rms / rms) / std::log(coarse.rms / fine.rms);
+    const double share = std::log(coarse.rms / rms) / std::log(coarse.rms / std::max(fine.rms, leastDrawn));
     return coarse.cpu_s * std::pow(fine.cpu_s / coarse.cpu_s, share);
   }
   return 0;
@@ -46,12 +56,13 @@ std::string studyPage(const std::vector<StudyPageEntry>& entries, double time_s)
   constexpr double levels[] = {0.05, 0.02, 0.01, 0.005};
   std::string page = "# Speed against accuracy\n\n";
   page += fmt::format(
-      "Made by `goniolux study` (version {}), at most {:g} s a project, {} threads of: {}. Each run is held against a "
+      "Made by `goniolux study` (version {}), at most {:g} s a project, {} threads of: {}, {:.0f} GiB. Each run is "
+      "held against a "
       "long "
       "unbiased run by paths; below the noise of that reference (the grey line) no run can be told from another. "
       "Errors "
       "are RMS over all points of all grids. `auto` marks the method that the program chooses by itself.\n\n",
-      programVersion(), time_s, core::threadCount(), processorName());
+      programVersion(), time_s, core::threadCount(), processorName(), memory_GiB());
   page +=
       "CPU seconds to an RMS error, interpolated between runs; in brackets over the fastest method\'s. A dash: the "
       "method does not get there (tree leaves interreflection out) or was not given the time.\n\n"

@@ -17,6 +17,11 @@ constexpr double normalQuantile95 = 1.959964;
 // A point below this share of its grid's mean is judged by it, as accuracy is asked for.
 constexpr double leastShare = 0.1;
 
+// Exact runs have no place on a logarithmic axis.
+double drawnPercent(double rms) {
+  return std::max(100 * rms, 1e-4);
+}
+
 // Linux keeps the peak of a process and starts anew when told to; elsewhere it stays unknown.
 void forgetPeakMemory() {
   std::ofstream("/proc/self/clear_refs") << "5";
@@ -104,18 +109,18 @@ plot::LineChart workPrecisionChart(const std::string& project, const std::vector
   chart.x = {"CPU time / s", true};
   chart.y = {"RMS error of the points / %", true};
   // Below its own noise the reference cannot tell one run from another.
-  chart.guides = {100 * reference.noise};
+  if (reference.noise > 0) chart.guides = {100 * reference.noise};
   for (const StudyRun& run : runs) {
     auto line = std::find_if(chart.curves.begin(), chart.curves.end(),
                              [&](const plot::ChartCurve& curve) { return curve.name == run.setting.line; });
     if (line == chart.curves.end()) line = chart.curves.insert(line, {run.setting.line, {}, true});
-    line->points.emplace_back(run.cpu_s, 100 * run.rms);
+    line->points.emplace_back(run.cpu_s, drawnPercent(run.rms));
   }
   for (plot::ChartCurve& curve : chart.curves)
     std::sort(curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   for (const StudyRun& run : runs)
     if (run.isAuto) {
-      chart.notes.push_back({"auto", {run.cpu_s, 100 * run.rms}});
+      chart.notes.push_back({"auto", {run.cpu_s, drawnPercent(run.rms)}});
       chart.facts.push_back(fmt::format("auto chose {} at ± {:g} %: {:.2g} s, RMS {:.2g} %", run.setting.solver,
                                         100 * run.setting.accuracy, run.cpu_s, 100 * run.rms));
     }
