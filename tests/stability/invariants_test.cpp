@@ -228,7 +228,8 @@ TEST(Invariants, SampleProjectsHaveNumbersThatNoThreadChanges) {
     pipeline::StageRequest request;
     request.inputs = {(fs::path(GONIOLUX_SOURCE_DIR) / "projects" / name).string()};
     request.common.accuracy = "10 %";
-    const project::Project project = pipeline::readProjectFor(request, pipeline::AccuracyOf::grids);
+    project::Project project = pipeline::readProjectFor(request, pipeline::AccuracyOf::grids);
+    project.settings.timeLimit_s.reset();  // where there is one, the clock has a say in how far points are refined
     std::vector<Results> runs;
     for (const int threads : {1, 2}) {
       core::setThreadCount(threads);
