@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -26,6 +27,35 @@ struct Round {
   std::array<double, replicateCount> missed{};  // mean of a path, lx
   std::array<std::array<double, bands>, replicateCount> byBand{};
 };
+
+/// The points of a grid in eight groups that lie together, of about equal number: halved three times along the longer
+/// side. By point: its group.
+std::vector<std::size_t> bandsOf(const std::vector<solver::Receiver>& receivers) {
+  std::vector<std::size_t> order(receivers.size()), band(receivers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto halve = [&](auto&& self, std::size_t first, std::size_t last, std::size_t name,
+                         std::size_t parts) -> void {
+    if (parts == 1) {
+      for (std::size_t i = first; i < last; ++i) band[order[i]] = name;
+      return;
+    }
+    core::Vec3 low(1e300), high(-1e300);
+    for (std::size_t i = first; i < last; ++i) {
+      low = glm::min(low, receivers[order[i]].point);
+      high = glm::max(high, receivers[order[i]].point);
+    }
+    const core::Vec3 d = high - low;
+    const int axis = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+    const std::size_t middle = (first + last) / 2;
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first),
+                     order.begin() + static_cast<std::ptrdiff_t>(last),
+                     [&](std::size_t a, std::size_t b) { return receivers[a].point[axis] < receivers[b].point[axis]; });
+    self(self, first, middle, name, parts / 2);
+    self(self, middle, last, name + parts / 2, parts / 2);
+  };
+  halve(halve, 0, receivers.size(), 0, std::min(bands, std::bit_floor(std::max<std::size_t>(receivers.size(), 1))));
+  return band;
+}
 
 /// What the bands differ by beyond their own noise, lx: twice that standard deviation; 0 when it is no more than noise.
 double spreadOf(const Round& estimate, std::size_t usedBands) {
@@ -60,7 +90,8 @@ Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quanti
   if (!(interreflected > 0)) return remainder;
 
   const std::size_t points = receivers.size();
-  const std::size_t usedBands = std::min(bands, points);
+  const std::size_t usedBands = std::min(bands, std::bit_floor(points));
+  const std::vector<std::size_t> bandOf = bandsOf(receivers);
   const auto round = [&](std::uint64_t roundKey, std::uint32_t paths) {
     Round result;
     core::parallelFor(replicateCount, 1, [&](std::size_t begin, std::size_t end) {
@@ -74,7 +105,7 @@ Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quanti
               std::min(points - 1, static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(points)));
           const double missed = of(solver.missed(receivers[i], replicateKey, j));
           result.missed[r] += missed / paths;
-          result.byBand[r][i * usedBands / points] += missed / paths * static_cast<double>(usedBands);
+          result.byBand[r][bandOf[i]] += missed / paths * static_cast<double>(usedBands);
         }
       }
     });

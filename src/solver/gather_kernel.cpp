@@ -16,7 +16,8 @@ constexpr std::uint64_t seedKey = 0x5eed, exploreKey = 0xe491, linkKey = 0x1147,
 constexpr std::size_t exploringRays = 12;
 constexpr std::size_t mostCells = 200000;
 // Of a cell's points' direct light, relative to all its light: above this spread the mean stands for none of them.
-constexpr double roughSpread = 0.35;
+// The mean of so few points is as wrong as half of it, so finer answers allow less.
+constexpr double roughSpread = 0.35, roughSpreadOverAccuracy = 10, leastRoughSpread = 0.08;
 constexpr double lookTolerance = 3e-2;
 constexpr double solveTolerance = 1e-4;
 // Lights beyond this number are sampled by importance.
@@ -30,7 +31,7 @@ core::Vec3 uniformDirection(const core::Vec2& u) {
 }  // namespace
 
 template <int W>
-GatherSolver<W>::GatherSolver(const Problem& problem) : Base(problem) {
+GatherSolver<W>::GatherSolver(const Problem& problem) : Base(problem), accuracy_(problem.accuracy) {
   for (const auto& bsdf : this->bsdfs_) {
     Spectral rho = Spectral::filled(0);
     if (bsdf->isLambertian()) bsdf->diffuseReflectance(rho.v.data());
@@ -203,23 +204,27 @@ void GatherSolver<W>::lightCells(LightSolution::Transport& transport) {
     }
     this->rays_.fetch_add(rays, std::memory_order_relaxed);
   });
+  const double allowed = std::clamp(roughSpreadOverAccuracy * accuracy_, leastRoughSpread, roughSpread);
   for (std::uint32_t c = 0; c < cells; ++c) {
     double all = 0;
     for (std::size_t s = 0; s < sources; ++s) {
       const float* direct = transport.direct.data() + (c * sources + s) * W;
       all += static_cast<double>(*std::max_element(direct, direct + W));
     }
-    if (static_cast<double>(spread[c]) > roughSpread * all) solution.setRough(c);
+    if (static_cast<double>(spread[c]) > allowed * all) solution.setRough(c);
   }
 }
 
 template <int W>
 void GatherSolver<W>::setResponses() {
   LightSolution& solution = *this->solution_;
-  std::vector<Response> responses(solution.cellCount(), Response{});
+  std::vector<Response> all(solution.cellCount(), Response{}), interreflected = all;
   const Spectral white = Spectral::filled(1);
-  for (std::uint32_t c = 0; c < responses.size(); ++c) this->addCell(responses[c], c, white, 1);
-  solution.setResponses(std::move(responses));
+  for (std::uint32_t c = 0; c < all.size(); ++c) {
+    this->addCell(all[c], {c, false}, white, 1);
+    this->addCell(interreflected[c], {c, true}, white, 1);
+  }
+  solution.setResponses(std::move(all), std::move(interreflected));
 }
 
 template <int W>

@@ -45,6 +45,7 @@ class GatherSolver final : public PathSolver<W> {
     int count = 0;
   };
   std::unordered_map<std::uint32_t, TexturedCell> texturedCells_;
+  double accuracy_;
   std::size_t linksPerCell_;
 };
 

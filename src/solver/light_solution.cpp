@@ -118,7 +118,13 @@ int LightSolution::solve(const Transport& transport, double tolerance) {
           own[i] = value;
         }
     }
-    if (change <= static_cast<float>(tolerance) * largest * overPi) return sweep;
+    if (change > static_cast<float>(tolerance) * largest * overPi && sweep < mostSweeps) continue;
+    interreflected_ = radiance_;
+    for (std::size_t c = 0; c < cells; ++c)
+      for (std::size_t i = 0; i < row; ++i)
+        interreflected_[c * row + i] -=
+            transport.reflectance[c * stride_ + i % stride_] * overPi * transport.direct[c * row + i];
+    return sweep;
   }
   return mostSweeps;
 }

@@ -66,12 +66,23 @@ class LightSolution {
   [[nodiscard]] const float* radiance(std::uint32_t cell, std::size_t source) const {
     return radiance_.data() + (cell * sources_ + source) * stride_;
   }
+  /// The part of it that has come to the cell by reflection.
+  [[nodiscard]] const float* interreflected(std::uint32_t cell, std::size_t source) const {
+    return interreflected_.data() + (cell * sources_ + source) * stride_;
+  }
   [[nodiscard]] std::size_t sources() const { return sources_; }
-  /// The reflected radiance as X, Y, Z and melanopic; filled by setResponses().
+  /// The same two as X, Y, Z and melanopic; filled by setResponses().
   [[nodiscard]] const spectrum::Response& response(std::uint32_t cell) const { return responses_[cell]; }
-  void setResponses(std::vector<spectrum::Response> responses) { responses_ = std::move(responses); }
+  [[nodiscard]] const spectrum::Response& interreflectedResponse(std::uint32_t cell) const {
+    return interreflectedResponses_[cell];
+  }
+  void setResponses(std::vector<spectrum::Response> all, std::vector<spectrum::Response> interreflected) {
+    responses_ = std::move(all);
+    interreflectedResponses_ = std::move(interreflected);
+  }
 
-  /// Cells whose direct light changes so much within them that their mean must not stand for a point.
+  /// Cells whose direct light changes so much within them that its mean must not stand for a point: they answer for
+  /// what is interreflected only.
   [[nodiscard]] bool isRough(std::uint32_t cell) const { return rough_[cell] != 0; }
   void setRough(std::uint32_t cell) { rough_[cell] = 1; }
 
@@ -87,8 +98,8 @@ class LightSolution {
   std::vector<std::uint32_t> surface_;
   std::vector<Point> points_;
   std::vector<std::uint8_t> pointCount_, rough_;
-  std::vector<float> radiance_;
-  std::vector<spectrum::Response> responses_;
+  std::vector<float> radiance_, interreflected_;
+  std::vector<spectrum::Response> responses_, interreflectedResponses_;
 };
 
 }  // namespace goniolux::solver

@@ -14,6 +14,10 @@ namespace {
 
 // With this many lights or fewer, a vertex that the camera sees is connected to each of them.
 constexpr std::size_t fewLights = 8;
+// What is fainter is not looked for to the last mirror, cd/m2.
+constexpr double faintLuminance = 0.01;
+// Of an opening's luminance, roughly: narrow beams.
+constexpr double peakOverMean = 10;
 // Indirect paths per sample of a pixel.
 constexpr std::uint32_t branches = 4;
 
@@ -80,6 +84,14 @@ PathSolver<W>::PathSolver(const Problem& problem)
 
   findSpots(areaOf(world_));
 
+  for (const scene::Surface& surface : world_.surfaces) brightest_ = std::max(brightest_, surface.luminance);
+  for (const scene::LightSource& source : world_.emitters) {
+    if (!source.hasGeometry) continue;
+    const Vec3 d = source.bounds.extent();
+    const double faces = d.x * d.y + d.y * d.z + d.z * d.x;
+    brightest_ = std::max(brightest_, peakOverMean * source.emitter->flux() / (core::pi * std::max(faces, 1e-12)));
+  }
+
   // Points and lines have no geometry that a ray could hit: their light by mirrors is found through plane images only,
   // and what glass bends is not found at all.
   bool invisible = false, curvedMirror = false;
@@ -122,13 +134,12 @@ typename PathSolver<W>::Path PathSolver<W>::pathFrom(const Vertex& at, const cor
 }
 
 template <int W>
-std::uint32_t PathSolver<W>::cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
-                                    core::Sampler& random) const {
-  // A cell stands for a point only from some way off: near by, its mean light is not that of the point. Nor does it
-  // stand for a bright spot that is smaller than it.
-  if (path.onSpot || hit.distance < solution_->cellSize()) return LightSolution::none;
+typename PathSolver<W>::CellAnswer PathSolver<W>::cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
+                                                         core::Sampler& random) const {
+  // A cell stands for a point only from some way off: near by, its mean light is not that of the point.
+  if (hit.distance < solution_->cellSize()) return {};
   const std::uint32_t cell = solution_->find(hit.surface, at.point, at.normal);
-  if (cell == LightSolution::none || solution_->isRough(cell)) return LightSolution::none;
+  if (cell == LightSolution::none) return {};
   // One of the cells about the point, by chance: on average the light between cell centres is interpolated.
   const core::Vec2 u = random.next2();
   const Vec3 a = glm::abs(at.normal);
@@ -137,14 +148,16 @@ std::uint32_t PathSolver<W>::cellAt(const Path& path, const tracer::Hit& hit, co
   beside[(axis + 1) % 3] += (u.x - 0.5) * solution_->cellSize();
   beside[(axis + 2) % 3] += (u.y - 0.5) * solution_->cellSize();
   const std::uint32_t other = solution_->find(hit.surface, beside, at.normal);
-  return other == LightSolution::none || solution_->isRough(other) ? cell : other;
+  const std::uint32_t answering = other == LightSolution::none ? cell : other;
+  return {answering, path.onSpot || solution_->isRough(cell) || solution_->isRough(answering)};
 }
 
 template <int W>
-void PathSolver<W>::addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const {
+void PathSolver<W>::addCell(Response& sum, const CellAnswer& answer, const Spectral& throughput, double factor) const {
   for (std::uint32_t s = 0; s < solution_->sources(); ++s) {
     Spectral light = throughput;
-    const float* radiance = solution_->radiance(cell, s);
+    const float* radiance =
+        answer.withoutDirect ? solution_->interreflected(answer.cell, s) : solution_->radiance(answer.cell, s);
 #pragma omp simd
     for (int k = 0; k < W; ++k) light.v[k] *= radiance[k];
     add(sum, s, light, factor);
@@ -159,22 +172,31 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     // What lies before the place where the path would have ended is no part of the remainder.
     if (ending != Ending::remainder) addEmitted(sum, path, met.hit);
     const Vertex at = vertexAt(met.hit, path.direction);
+    const core::Frame frame = frameAbout(at.normal);
+    const Vec3 out = frame.toLocal(-path.direction);
+    bool addsDirect = ending != Ending::remainder;
     if (ending != Ending::never && met.bsdf->isLambertian()) {
-      if (const std::uint32_t cell = cellAt(path, met.hit, at, random); cell != LightSolution::none) {
-        if (ending == Ending::solution && path.white > 0) {
-          for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += path.white * solution_->response(cell)[c];
+      if (const CellAnswer answer = cellAt(path, met.hit, at, random); answer.cell != LightSolution::none) {
+        if (ending == Ending::solution) {
+          if (answer.withoutDirect) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
+          if (path.white > 0) {
+            const Response& known = answer.withoutDirect ? solution_->interreflectedResponse(answer.cell)
+                                                         : solution_->response(answer.cell);
+            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += path.white * known[c];
+          } else {
+            addCell(sum, answer, path.throughput, 1);
+          }
           return;
         }
-        addCell(sum, cell, path.throughput, ending == Ending::solution ? 1 : -1);
-        if (ending == Ending::solution) return;
+        addCell(sum, answer, path.throughput, -1);
+        // Direct light that the ending path would have got itself is missing in neither.
+        addsDirect = !answer.withoutDirect;
         ending = Ending::never;
       }
     }
-    const core::Frame frame = frameAbout(at.normal);
-    const Vec3 out = frame.toLocal(-path.direction);
     if (met.bsdf->lobes().spread) {
       if (hasMedia_ && met.bsdf->medium() != nullptr && met.bsdf->medium()->disperses) collapse(path);
-      if (ending != Ending::remainder) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
+      if (addsDirect) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
       path.share = 1 / static_cast<double>(lights_->lights().size());
     }
     reflection::BsdfSample next;
@@ -213,7 +235,10 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
     Spectral weight = Spectral::filled(0);
     if (bsdf.isSpecular()) {
       if (!bsdf.sample(out, random.next2(), met.interface, next, weight.v.data())) break;
-      if (!goOn(path, met, at, frame, next, weight, true, random)) break;
+      // A chain of mirrors is followed as long as something visible may stand at its end: with roulette, a lamp behind
+      // ten mirrors of 0.5 would be seen by one sample in a thousand.
+      const bool faint = static_cast<double>(path.throughput.largest()) * brightest_ < faintLuminance;
+      if (!goOn(path, met, at, frame, next, weight, faint, random)) break;
       continue;
     }
     if (bsdf.largestReflectance() <= 0) break;

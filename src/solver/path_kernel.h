@@ -157,11 +157,15 @@ class PathSolver : public Solver {
   [[nodiscard]] Shading shadingSeen(const Meeting& met, const Vertex& at, const Vec3& towardsEye) const;
   /// Everything that arrives along a path.
   void follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const;
-  /// The cell of the solution that answers for a hit, or LightSolution::none.
-  [[nodiscard]] std::uint32_t cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
-                                     core::Sampler& random) const;
+  /// What the solution knows about the light of a hit.
+  struct CellAnswer {
+    std::uint32_t cell = LightSolution::none;  ///< none: nothing
+    bool withoutDirect = false;                ///< it answers for what is interreflected only
+  };
+  [[nodiscard]] CellAnswer cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
+                                  core::Sampler& random) const;
   /// Adds `factor` times what a cell reflects.
-  void addCell(Response& sum, std::uint32_t cell, const Spectral& throughput, double factor) const;
+  void addCell(Response& sum, const CellAnswer& answer, const Spectral& throughput, double factor) const;
   [[nodiscard]] Ending ending() const { return solution_ != nullptr ? Ending::solution : Ending::never; }
   Response directLight(const Plan& plan, const Receiver& receiver, std::uint64_t key, std::uint32_t samples,
                        std::uint64_t& rays) const;
@@ -213,6 +217,7 @@ class PathSolver : public Solver {
   bool hasMedia_ = false, disperses_ = false, hasTextures_ = false;
   FreeView freeView_;
   BrightSpots spots_;
+  double brightest_ = 0;                     // luminance of what emits, roughly, cd/m2
   double pilotRays_;                         // shadow rays of a receiver's pilot, over all lights
   std::unique_ptr<LightSolution> solution_;  // of solvers that end paths in one
   bool hasPanes_ = false;  ///< something goes straight through, or mirrors differently at different angles

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <set>
 
 #include "pipeline/stage.h"
 #include "support/temporary_folder.h"
@@ -125,9 +126,10 @@ TEST_F(StudyStage, ChartsEverySolverAndGoesOnWhereItWasStopped) {
   std::ofstream(out + "/study.jsonl", std::ios::app) << "{\"line\": \"pa";
   const StageReport second = study({project}, out);
   const auto& again = second.json.find("runs")->array();
-  ASSERT_GE(again.size(), runs.array().size());
-  for (std::size_t i = 0; i < runs.array().size(); ++i)
-    EXPECT_EQ(core::toJson(again[i]), core::toJson(runs.array()[i]));
+  // (On a slow machine the first call may have left out a setting, which the second has time for.)
+  std::set<std::string> known;
+  for (const core::Value& run : again) known.insert(core::toJson(run));
+  for (const core::Value& run : runs.array()) EXPECT_TRUE(known.contains(core::toJson(run))) << core::toJson(run);
 }
 
 // A light solution pays when many points share it; on the cube's six points `gather` took ten times what `path` takes.
