@@ -18,6 +18,8 @@ constexpr std::size_t fewLights = 8;
 constexpr double faintLuminance = 0.01;
 // Of an opening's luminance, roughly: narrow beams.
 constexpr double peakOverMean = 10;
+// From nearer than this number of its edge lengths a cell does not answer.
+constexpr double nearCells = 2;
 // Indirect paths per sample of a pixel.
 constexpr std::uint32_t branches = 4;
 
@@ -137,7 +139,7 @@ template <int W>
 typename PathSolver<W>::CellAnswer PathSolver<W>::cellAt(const Path& path, const tracer::Hit& hit, const Vertex& at,
                                                          core::Sampler& random) const {
   // A cell stands for a point only from some way off: near by, its mean light is not that of the point.
-  if (hit.distance < solution_->cellSize()) return {};
+  if (hit.distance < nearCells * solution_->cellSize()) return {};
   const std::uint32_t cell = solution_->find(hit.surface, at.point, at.normal);
   if (cell == LightSolution::none) return {};
   // One of the cells about the point, by chance: on average the light between cell centres is interpolated.

@@ -113,8 +113,7 @@ Section mirrorSection() {
       {"4.10", "Mirror on a wall", "lx", "mirror from 0.5 to 1.5 m height, ρ 0.9; floor at x", "the lamp and its image",
        "", 1e-5, 0, false, mirrorWall},
       {"4.10f", "Two facing mirrors", "lx", "2 m apart, floor between them", "series of images",
-       "15 reflections: −1.6 % of the mirrored light at ρ 0.99", 6e-3, 0, false, facingMirrors,
-       "images of a point beyond the depth that the solver follows are left out, and the interval does not say so"},
+       "15 reflections: −1.6 % of the mirrored light at ρ 0.99", 6e-3, 0, false, facingMirrors},
   };
   return section;
 }

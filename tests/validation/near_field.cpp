@@ -211,7 +211,7 @@ Section nearFieldSection() {
       {"2.5", "Lambertian line", "lx", "1.2 m, 1000 cd per metre across", "E = I'/d (α + sin α cos α) and I'/2d sin² α",
        "", 1e-5, 0, false, line},
       {"2.6", "Tube", "lx", "T8: diameter 26 mm, 1.2 m, 10 000 cd/m²; under one end, h from the axis",
-       "strips of the visible half, each in closed form along its length", "", 2e-4, 0, false, tube},
+       "strips of the visible half, each in closed form along its length", "", 5e-4, 0, false, tube},
       {"2.7", "Five-times rule: error of the point model", "%",
        "a luminaire as one point, or as a few, at distance d over its largest dimension L",
        "closed forms, calculated by another program", "", 2e-3, 0.05, false, fiveTimesRule},

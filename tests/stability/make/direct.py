@@ -33,8 +33,7 @@ def tiny_sphere():
 def near_a_wall():
     case = Case(2, "a-millimetre-from-a-wall", "A luminaire 1 mm before a wall",
                 "Radiosity that samples a patch at its centre gives a 10 cm patch 1621 times its flux; a mesh never gets "
-                "fine enough.", says=INTERREFLECTION, claims={"tree": "says"}, fast=False,
-                open_defects={solver: ("too slow", "paths find the spot by chance") for solver in ("auto", "path", "gather")})
+                "fine enough.", says=INTERREFLECTION, claims={"tree": "says"})
     side, gap = 0.6, 1e-3
     x = side / 2 / gap
     corner = 2 * x / math.sqrt(1 + x * x) * math.atan(x / math.sqrt(1 + x * x)) / (2 * math.pi)
@@ -118,9 +117,7 @@ def scale_and_place():
 def two_rooms():
     case = Case(6, "two-rooms", "Two rooms, a wall without thickness between, a lamp in one",
                 "Photon maps and irradiance caches take light from beyond the wall; so do rays that start on the wrong "
-                "side of an edge.", fast=False, open_defects={solver: ("too slow", "cells of the light solution lie on both sides of the wall; what "
-                                                           "they bring into the dark is taken away again without an end")
-                                                  for solver in ("auto", "gather")})
+                "side of an edge.")
     case.project("project.json", materials={"white": grey(0.8)},
                  objects=[box([0, 0, 0], [8, 4, 3], "white"), rectangle([4, 0, 0], [0, 4, 0], [0, 0, 3], "white", "wall")],
                  luminaires=[lamp([3.9, 0.1, 2.9], flux=5000)],

@@ -40,9 +40,7 @@ def bright_rooms():
 
 def uplight_spot():
     case = Case(16, "uplight-spot", "A 2 degree spot on a white ceiling lights a black room",
-                "Blotches, or nothing: the small second source on the ceiling is missed by a few gathering rays.", **LEFT,
-                open_defects={solver: ("wrong", "no path of some hundred meets the spot, and 0 ± 0 is taken for certain")
-                              for solver in ("auto", "path", "gather")})
+                "Blotches, or nothing: the small second source on the ceiling is missed by a few gathering rays.", **LEFT)
     rho, ceiling, height = 0.8, 5.0, 4.5
     diagram = [[0, 1], [1, 1], [1.00001, 0], [90, 0]]
 
