@@ -53,17 +53,12 @@ void findContradictions(const project::Project& project, core::Diagnostics& foun
 
 void findOpenGlass(const project::Project& project, core::Diagnostics& found) {
   for (const Object& object : project.environment.objects) {
-    if (object.shape.closed) continue;
-    for (const std::uint32_t index : object.materials) {
-      const material::Material& material = project.environment.materials[index];
-      if (material.model != "dielectric" || material.numbers.contains("thickness_m")) continue;
+    if (const material::Material* glass = scene::openGlassOf(project.environment, object))
       found.error(
           object.position, "open-glass",
           fmt::format("\"{}\" is of \"{}\", but its surface is not closed: glass without an inside has no answer; "
                       "close it, or give the material a \"thickness_m\" for a thin pane",
-                      object.name, material.name));
-      break;
-    }
+                      object.name, glass->name));
   }
 }
 

@@ -34,15 +34,6 @@ constexpr std::size_t mostTold = 10;  // places in the text
 constexpr const char* solution = "gather";
 constexpr const char* paths = "path";
 
-Estimate pointOf(const GridResult& grid, std::size_t i) {
-  Estimate e;
-  e.value = grid.values[i];
-  const auto statistical = grid.parts.find("statistical");
-  e.statistical = statistical == grid.parts.end() ? grid.halfWidths[i] : statistical->second[i];
-  e.systematic["all"] = std::max(0.0, grid.halfWidths[i] - e.statistical);
-  return e;
-}
-
 double differenceOf(const Estimate& one, const Estimate& other) {
   return other.value - one.value;
 }
@@ -114,7 +105,7 @@ CrossCheck compareSolvers(const Results& one, const Results& other, double false
     for (std::size_t i = 0; i < a.values.size(); ++i) {
       difference.values[i] = std::numeric_limits<double>::quiet_NaN();
       if (!std::isfinite(a.values[i]) || !std::isfinite(b.values[i])) continue;
-      const Estimate p = pointOf(a, i), q = pointOf(b, i);
+      const Estimate p = a.pointEstimate(i), q = b.pointEstimate(i);
       const double room = comparison.allowed(p, q, atPoint), half = joined(p, q), apart = differenceOf(p, q);
       difference.values[i] = apart == 0 ? 0 : apart / std::max(half, 1e-5 * std::abs(p.value) + 1e-300);
       difference.halfWidths[i] = 1;
@@ -227,7 +218,9 @@ std::vector<std::string> drawDifferences(const CrossCheck& check, const project:
     if (std::none_of(grid.values.begin(), grid.values.end(), [](double v) { return std::isfinite(v); })) continue;
     MapOptions options;
     options.levels = {-4, -3, -2, 2, 3, 4};  // noise is one colour
-    plot::PlanMap map = planMapOf(head, grid, &outline, options);
+    GridResult shown = grid;                 // a tenth of a half-width is read, no more
+    for (double& v : shown.values) v = std::round(10 * v) / 10 + 0.0;
+    plot::PlanMap map = planMapOf(head, shown, &outline, options);
     double most = 3;
     for (const double v : grid.values)
       if (std::isfinite(v)) most = std::max(most, std::abs(v));

@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "pipeline/engine.h"
 #include "pipeline/study_choices.h"
+#include "reflection/bsdf.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -137,19 +138,26 @@ ChoiceResult models(const project::Project& project, core::ProgressSink& progres
     if (progress.cancelled()) return result;
     project::Project own = treeProject(project, project.settings.treeMaxDepth, project.settings.treeCutoff, true);
     own.settings.reflectionModel = name;
-    runs.emplace_back(std::string(name) == "material" ? "each finish's own, by `tree`" : name,
-                      trace(own, view, row, row + 1));
+    runs.emplace_back(std::string(name) == "material" ? "own finishes (tree)" : name, trace(own, view, row, row + 1));
   }
-  project::Project whole = project;
-  whole.settings.solver = "path";
-  progress.progress(project.name, 0.8, "with interreflection");
-  runs.emplace_back("with interreflection, by `path`", trace(whole, view, row, row + 1, pathSamples));
+  // Paths need finishes that say how much light they reflect; the paper's models do not.
+  const auto& materials = project.environment.materials;
+  const bool physical = std::all_of(materials.begin(), materials.end(), [](const material::Material& m) {
+    return reflection::findReflectionModel(m.model) != nullptr;
+  });
+  if (physical) {
+    project::Project whole = project;
+    whole.settings.solver = "path";
+    progress.progress(project.name, 0.8, "with interreflection");
+    runs.emplace_back("with interreflection (path)", trace(whole, view, row, row + 1, pathSamples));
+  }
   double lowest = 0;
   for (const auto& [name, run] : runs)
     for (const double luminance : run.luminances) lowest = std::max(lowest, 1e-4 * luminance);
   if (!(lowest > 0))
     nothingToStudy(project, fmt::format("the view \"{}\" shows no light in its middle row", view.name));
-  const std::vector<double>& truth = runs.back().second.luminances;
+  const auto& standard = physical ? runs.back() : runs.front();
+  const std::vector<double>& truth = standard.second.luminances;
   for (const auto& [name, run] : runs) {
     double difference = 0, sum = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -158,7 +166,7 @@ ChoiceResult models(const project::Project& project, core::ProgressSink& progres
       difference += run.luminances[i] - truth[i];
       sum += truth[i];
     }
-    if (&run != &runs.back().second)
+    if (&run != &standard.second)
       chart.facts.push_back(fmt::format("{}: {:+.0f} % on average", name, 100 * difference / sum));
   }
   for (plot::ChartCurve& curve : chart.curves) curve.marked = false;

@@ -62,7 +62,7 @@ class Comparison {
     if (q == "point") {
       if (*expected.index >= grid.values.size())
         return gone(d, fmt::format("the grid has {} points now", grid.values.size()));
-      d.found = pointOf(grid, *expected.index);
+      d.found = grid.pointEstimate(*expected.index);
     } else {
       d.found = q == "mean" ? grid.mean : q == "min" ? grid.min : q == "max" ? grid.max : q == "u0" ? grid.u0 : grid.ud;
     }
@@ -92,7 +92,7 @@ class Comparison {
       was.value = expected.values[i];
       was.statistical = wasFree ? expected.statistical[i] : 0;
       was.systematic["all"] = wasFree ? expected.systematic[i] : 0;
-      const core::Estimate is = pointOf(grid, i);
+      const core::Estimate is = grid.pointEstimate(i);
       const bool both = wasFree && isFree;
       const double allowed =
           both ? test.largestDifference(ours(is), theirs(was)) + toleranceOf(expected, was.value) : 0;
@@ -113,15 +113,6 @@ class Comparison {
       d.missing = std::isfinite(d.found.value) ? "this point was inside a solid and is free now"
                                                : "this point is inside a solid now, or was not finished";
     return d;
-  }
-
-  static core::Estimate pointOf(const GridResult& grid, std::size_t i) {
-    core::Estimate e;
-    e.value = grid.values[i];
-    const auto statistical = grid.parts.find("statistical");
-    e.statistical = statistical == grid.parts.end() ? grid.halfWidths[i] : statistical->second[i];
-    e.systematic["all"] = std::max(0.0, grid.halfWidths[i] - e.statistical);
-    return e;
   }
 
   [[nodiscard]] Sample ours(const core::Estimate& e) const {

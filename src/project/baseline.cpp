@@ -64,10 +64,11 @@ ExpectedValue single(const std::string& grid, const char* quantity, const std::s
 ExpectedValue allPoints(const GridResult& grid) {
   ExpectedValue value = single(grid.name, "points", grid.unit, {});
   value.values = grid.values;
-  const auto statistical = grid.parts.find("statistical");
-  value.statistical = statistical != grid.parts.end() ? statistical->second : grid.halfWidths;
-  for (std::size_t i = 0; i < grid.halfWidths.size(); ++i)
-    value.systematic.push_back(std::max(0.0, grid.halfWidths[i] - value.statistical[i]));
+  for (std::size_t i = 0; i < grid.values.size(); ++i) {
+    const core::Estimate e = grid.pointEstimate(i);
+    value.statistical.push_back(e.statistical);
+    value.systematic.push_back(e.systematic.at("all"));
+  }
   return value;
 }
 

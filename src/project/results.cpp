@@ -1,6 +1,7 @@
 #include "project/results.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <cctype>
 #include <cmath>
@@ -88,6 +89,15 @@ std::string columnName(const GridResult& grid) {
 }
 
 }  // namespace
+
+core::Estimate GridResult::pointEstimate(std::size_t index) const {
+  core::Estimate e;
+  e.value = values[index];
+  const auto statistical = parts.find("statistical");
+  e.statistical = statistical == parts.end() ? halfWidths[index] : statistical->second[index];
+  e.systematic["all"] = std::max(0.0, halfWidths[index] - e.statistical);
+  return e;
+}
 
 const char* wordFor(RequirementResult::Verdict verdict) {
   switch (verdict) {

@@ -44,6 +44,9 @@ struct GridResult {
   core::Estimate u0, ud;              ///< min/mean and min/max
   std::vector<double> initialValues;  ///< the same points with maintenance 1; empty when not calculated
   std::optional<core::Estimate> initialMean;
+
+  /// Value and half-width of one point; what is not statistical stands together under "all".
+  [[nodiscard]] core::Estimate pointEstimate(std::size_t index) const;
 };
 
 /// A luminaire that an observer sees, as the glare rating counts it.

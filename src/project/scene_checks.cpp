@@ -110,17 +110,12 @@ void checkMaterials(const Project& project, core::Diagnostics& diagnostics) {
 // The inside of a body of glass is where its closed shape's inside is; an open shape has none that ends.
 void checkTransparentBodies(const Project& project, core::Diagnostics& diagnostics) {
   for (const scene::Object& object : project.environment.objects) {
-    if (object.shape.closed) continue;
-    for (const std::uint32_t index : object.materials) {
-      const material::Material& material = project.environment.materials[index];
-      if (material.model != "dielectric" || material.numbers.count("thickness_m") > 0) continue;
+    if (const material::Material* glass = scene::openGlassOf(project.environment, object))
       diagnostics.warning(
           object.position, "open-body",
-          fmt::format("\"{}\" is of \"{}\" but not closed: the side that its normals point away from counts "
-                      "as inside, without end; close the shape, or give the material \"thickness_m\"",
-                      object.name, material.name));
-      break;
-    }
+          fmt::format("\"{}\" is of \"{}\" but not closed: it has no inside, and is refused when it comes to "
+                      "calculating; close the shape, or give the material \"thickness_m\"",
+                      object.name, glass->name));
   }
 }
 

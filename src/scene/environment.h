@@ -60,4 +60,8 @@ struct Environment {
   std::vector<spectrum::SpectralDistribution> sourceSpectra;  ///< distinct relative spectra of luminaires
 };
 
+/// The material for which an object that is not closed has no inside: solid glass or water (a pane has a thickness of
+/// its own). Null where there is none.
+const material::Material* openGlassOf(const Environment& environment, const Object& object);
+
 }  // namespace goniolux::scene

@@ -99,6 +99,13 @@ TEST(StudyOfReflectionModels, HasACurveForEachAndOneForPaths) {
   for (const auto& curve : result.chart.curves) EXPECT_EQ(curve.points.size(), 160u) << curve.name;
 }
 
+TEST(StudyOfReflectionModels, GoesWithoutPathsWhereFinishesAreThePapers) {
+  const ChoiceResult result = run(
+      "reflection-model",
+      cube(0.5, panel, "{ \"model\": \"hall\", \"diffuse\": 0.5, \"specular\": 0.1, \"gloss\": 20, \"ior\": 1.5 }"));
+  EXPECT_EQ(result.chart.curves.size(), 4u);
+}
+
 // I = 1000 cos(gamma) every 5 degrees: thinned to 45 degrees it is a polygon, 12 % too low halfway.
 TEST(StudyOfWebResolution, GrowsWithTheStep) {
   std::string pairs;

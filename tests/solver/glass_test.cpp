@@ -11,6 +11,7 @@
 #include "reflection/fresnel.h"
 #include "scene/world.h"
 #include "solver/solver.h"
+#include "support/mirror_scenes.h"
 #include "tracer/tracer.h"
 
 namespace goniolux::solver {
@@ -39,13 +40,7 @@ class Scene {
     return static_cast<std::uint32_t>(environment.materials.size() - 1);
   }
   void addQuad(const Vec3& origin, const Vec3& u, const Vec3& v, std::uint32_t material) {
-    scene::Object quad;
-    quad.shape.partNames = {"surface"};
-    quad.shape.mesh.vertices = {origin, origin + u, origin + u + v, origin + v};
-    quad.shape.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    quad.shape.mesh.parts = {0, 0};
-    quad.materials = {material};
-    environment.objects.push_back(quad);
+    test::addQuad(environment, origin, u, v, material);
   }
   void addBox(const Vec3& min, const Vec3& max, std::uint32_t material) {
     scene::Object box;

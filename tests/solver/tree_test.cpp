@@ -6,59 +6,19 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/objects.h"
 #include "reflection/fresnel.h"
-#include "scene/view.h"
 #include "solver/tree_shadings.h"
+#include "support/mirror_scenes.h"
 
 namespace goniolux::solver {
 namespace {
 
 using core::Vec3;
 using spectrum::SpectralDistribution;
-
-material::Material flatFinish(const std::string& model, const char* key, double value) {
-  material::Material material;
-  material.name = material.model = model;
-  material.spectra[key] = SpectralDistribution::flat(value);
-  return material;
-}
-
-void addQuad(scene::Environment& environment, const Vec3& origin, const Vec3& u, const Vec3& v,
-             std::uint32_t material) {
-  scene::Object quad;
-  quad.shape.partNames = {"surface"};
-  quad.shape.mesh.vertices = {origin, origin + u, origin + u + v, origin + v};
-  quad.shape.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  quad.shape.mesh.parts = {0, 0};
-  quad.materials = {material};
-  environment.objects.push_back(quad);
-}
-
-void addBall(scene::Environment& environment, const Vec3& center, double radius, double luminance) {
-  scene::Luminaire lamp;
-  lamp.name = lamp.type = "ball";
-  lamp.center = center;
-  lamp.opening = {.shape = emitter::Opening::Shape::sphere, .diameter = 2 * radius};
-  lamp.flux_lm = luminance * 4 * core::pi * core::pi * radius * radius;
-  environment.luminaires.push_back(lamp);
-}
-
-// Gallery G1: room 12 x 4 x 4 m, four mirrors on each long wall, eight lamps (catalogue of validation cases, 7.2).
-scene::Environment gallery(double rho) {
-  scene::Environment environment;
-  environment.sourceSpectra = {SpectralDistribution::flat(1)};
-  environment.materials = {flatFinish("lambert", "diffuse", 0.5), flatFinish("mirror", "reflectance", rho)};
-  scene::Object room;
-  room.shape = geometry::findObjectType("box")->make({{"min", Vec3(0)}, {"max", Vec3(12, 4, 4)}});
-  room.materials.assign(room.shape.partNames.size(), 0);
-  environment.objects = {room};
-  for (int i = 0; i < 4; ++i)
-    for (const double y : {1e-3, 4 - 1e-3}) addQuad(environment, {0.3 + 3 * i, y, 0.5}, {2.4, 0, 0}, {0, 0, 2.02}, 1);
-  for (const double x : {1.5, 4.5, 7.5, 10.5})
-    for (const double y : {1.0, 3.0}) addBall(environment, {x, y, 3.7}, 0.0525, 1);
-  return environment;
-}
+using test::addBall;
+using test::addQuad;
+using test::flatFinish;
+using test::gallery;
 
 struct Figures {
   double mean = 0, discarded = 0, seconds = 0;
@@ -91,11 +51,7 @@ Figures walkGallery(double rho, const TreeControl& control, int step) {
   const TreeLighting lighting = treeLighting(world, quadrature, settings);
   // No emitters to connect to: what is counted are the nodes of the view.
   const TreeBuilder builder(world, tracer, shadings, 1, 0, control, {1, 1, 1});
-  scene::View view;
-  view.eye = {1.5, 0.5, 1.6};
-  view.target = {3, 4, 1.6};
-  view.width = 640, view.height = 480;
-  view.verticalFov = 2 * std::atan(std::tan(35 * core::degree) * 480 / 640);
+  const scene::View view = test::galleryView();
   Figures figures;
   IntersectionTree tree;
   std::uint64_t trees = 0, nodes = 0;

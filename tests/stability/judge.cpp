@@ -38,15 +38,6 @@ Judgement wrong(std::string why) {
 
 }  // namespace
 
-Estimate pointOf(const GridResult& grid, std::size_t index) {
-  Estimate e;
-  e.value = grid.values[index];
-  const auto statistical = grid.parts.find("statistical");
-  e.statistical = statistical == grid.parts.end() ? grid.halfWidths[index] : statistical->second[index];
-  e.systematic["all"] = std::max(0.0, grid.halfWidths[index] - e.statistical);
-  return e;
-}
-
 Judgement judge(const std::vector<Figure>& figures, double confidence) {
   const double factor = stretch(confidence, figures.size());
   Judgement result;
@@ -85,7 +76,7 @@ Judgement judgeGrid(const Check& check, const Results& results) {
     if (weights.size() != grid->values.size()) return wrong("another number of points than weights");
     double squares = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      const Estimate point = pointOf(*grid, i);
+      const Estimate point = grid->pointEstimate(i);
       const double w = weights[i].number();
       sum.found.value += w * point.value;
       squares += w * w * point.statistical * point.statistical;
@@ -99,7 +90,7 @@ Judgement judgeGrid(const Check& check, const Results& results) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (values[i].isNull()) continue;
       const double reference = values[i].number(), known = tolerance * std::abs(reference) + absolute;
-      figures.push_back({reference, pointOf(*grid, i), known, tolerance == 0 && absolute == 0});
+      figures.push_back({reference, grid->pointEstimate(i), known, tolerance == 0 && absolute == 0});
     }
   }
   Judgement result = judge(figures, results.confidence);
@@ -119,7 +110,7 @@ Judgement judgeSame(const Check& check, const Results& one, const Results& other
   std::vector<Figure> figures;
   for (std::size_t i = 0; i < a->values.size(); ++i) {
     if (std::isnan(a->values[i]) && std::isnan(b->values[i])) continue;
-    const Estimate was = pointOf(*a, i), is = pointOf(*b, i);
+    const Estimate was = a->pointEstimate(i), is = b->pointEstimate(i);
     Figure f{was.value, is, was.systematic.at("all") + 1e-4 * std::abs(was.value), false};
     f.found.statistical = std::hypot(was.statistical, is.statistical);
     figures.push_back(f);

@@ -39,7 +39,4 @@ Judgement judgeSame(const Check& check, const project::Results& one, const proje
 /// "finite": the observer has a number with a half-width, or a stated reason for none.
 Judgement judgeFinite(const Check& check, const project::Results& results);
 
-/// A point's value with its half-width by cause.
-core::Estimate pointOf(const project::GridResult& grid, std::size_t index);
-
 }  // namespace goniolux::stability

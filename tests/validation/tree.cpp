@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/objects.h"
-#include "scene/view.h"
 #include "solver/intersection_tree.h"
 #include "solver/tree_shadings.h"
+#include "support/mirror_scenes.h"
 #include "validation/sections.h"
 
 namespace goniolux::validation {
@@ -16,64 +15,19 @@ namespace {
 using core::Vec3;
 using spectrum::SpectralDistribution;
 
-material::Material finish(const std::string& model, const char* key, double value) {
-  material::Material material;
-  material.name = material.model = model;
-  material.spectra[key] = SpectralDistribution::flat(value);
-  return material;
-}
-
-void addQuad(scene::Environment& environment, const Vec3& origin, const Vec3& u, const Vec3& v,
-             std::uint32_t material) {
-  scene::Object quad;
-  quad.shape.partNames = {"surface"};
-  quad.shape.mesh.vertices = {origin, origin + u, origin + u + v, origin + v};
-  quad.shape.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  quad.shape.mesh.parts = {0, 0};
-  quad.materials = {material};
-  environment.objects.push_back(quad);
-}
-
-// 12 x 4 x 4 m, four mirrors on each long wall, eight lamps of 105 mm.
-scene::Environment gallery(double rho) {
-  scene::Environment environment;
-  environment.sourceSpectra = {SpectralDistribution::flat(1)};
-  environment.materials = {finish("lambert", "diffuse", 0.5), finish("mirror", "reflectance", rho)};
-  scene::Object room;
-  room.shape = geometry::findObjectType("box")->make({{"min", Vec3(0)}, {"max", Vec3(12, 4, 4)}});
-  room.materials.assign(room.shape.partNames.size(), 0);
-  environment.objects = {room};
-  for (int i = 0; i < 4; ++i)
-    for (const double y : {1e-3, 4 - 1e-3}) addQuad(environment, {0.3 + 3 * i, y, 0.5}, {2.4, 0, 0}, {0, 0, 2.02}, 1);
-  for (const double x : {1.5, 4.5, 7.5, 10.5})
-    for (const double y : {1.0, 3.0}) {
-      scene::Luminaire lamp;
-      lamp.name = lamp.type = "ball";
-      lamp.center = {x, y, 3.7};
-      lamp.opening = {.shape = emitter::Opening::Shape::sphere, .diameter = 0.105};
-      lamp.flux_lm = core::pi * core::pi * 0.105 * 0.105;
-      environment.luminaires.push_back(lamp);
-    }
-  return environment;
-}
-
 struct Walk {
   double nodes = 0;  ///< mean of a tree
   int deepest = 0;
 };
 
 Walk walk(double rho, const solver::TreeControl& control) {
-  const scene::Environment environment = gallery(rho);
+  const scene::Environment environment = test::gallery(rho);
   const scene::World world = scene::buildWorld(environment);
   const tracer::Tracer tracer(world);
   const auto quadrature = spectrum::flatQuadrature(world.sourceSpectra);
   const solver::Shadings shadings = solver::makeShadings(world, quadrature, {});
   const solver::TreeBuilder builder(world, tracer, shadings, 1, 0, control, {1, 1, 1});
-  scene::View view;
-  view.eye = {1.5, 0.5, 1.6};
-  view.target = {3, 4, 1.6};
-  view.width = 640, view.height = 480;
-  view.verticalFov = 2 * std::atan(std::tan(35 * core::degree) * 480 / 640);
+  const scene::View view = test::galleryView();
   Walk found;
   solver::IntersectionTree tree;
   std::uint64_t nodes = 0;
@@ -125,9 +79,9 @@ std::vector<Number> betweenMirrors() {
     for (const double cutoff : {.1, .01, 1.0 / 256, .001}) {
       scene::Environment environment;
       environment.sourceSpectra = {SpectralDistribution::flat(1)};
-      environment.materials = {finish("mirror", "reflectance", rho)};
-      addQuad(environment, {0, -5, -5}, {0, 10, 0}, {0, 0, 10}, 0);
-      addQuad(environment, {2, -5, -5}, {0, 10, 0}, {0, 0, 10}, 0);
+      environment.materials = {test::flatFinish("mirror", "reflectance", rho)};
+      test::addQuad(environment, {0, -5, -5}, {0, 10, 0}, {0, 0, 10}, 0);
+      test::addQuad(environment, {2, -5, -5}, {0, 10, 0}, {0, 0, 10}, 0);
       const scene::World world = scene::buildWorld(environment);
       const tracer::Tracer tracer(world);
       const auto quadrature = spectrum::flatQuadrature(environment.sourceSpectra);

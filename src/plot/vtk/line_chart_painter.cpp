@@ -109,17 +109,19 @@ void LineChartPainter::paint(Ink& ink) const {
   for (const std::string& fact : chart_.facts) facts += (facts.empty() ? "" : "     ") + fact;
   ink.text(facts, {edge, high - 116}, fitting(facts, {17}, width() - 2 * edge));
   paintAxes(ink);
-  double x = left;
+  double x = left, y = 62;  // of the legend, in two rows where one is too short
   for (std::size_t k = 0; k < chart_.curves.size(); ++k) {
     Polyline line;
     for (const Vec2& point : chart_.curves[k].points) line.push_back(at(point));
     for (const Polyline& part : dashed(line, dashes[k][0], dashes[k][1])) ink.line(part, colours[k], 2.4);
     if (chart_.curves[k].marked)
       for (const Vec2& point : line) ink.area(ring(point, 5), colours[k]);
-    const Polyline sample{{x, 62}, {x + 44, 62}};
+    const double entry = 54 + textSize(chart_.curves[k].name, {16}).x;
+    if (x > left && x + entry > width() - edge) x = left, y -= 20;
+    const Polyline sample{{x, y}, {x + 44, y}};
     for (const Polyline& part : dashed(sample, dashes[k][0], dashes[k][1])) ink.line(part, colours[k], 2.4);
-    ink.text(chart_.curves[k].name, {x + 54, 62}, {16});
-    x += 54 + textSize(chart_.curves[k].name, {16}).x + 34;
+    ink.text(chart_.curves[k].name, {x + 54, y}, {16});
+    x += entry + 34;
   }
   for (const ChartNote& note : chart_.notes) {
     const Vec2 place = at(note.point);
