@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
-#include "geometry/inside.h"
 #include "geometry/queries.h"
 #include "pipeline/geometry_findings.h"
+#include "scene/housing.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -73,26 +72,11 @@ void refuseWhatHasNoAnswer(const project::Project& project) {
 
 std::vector<std::string> hiddenLuminaires(const project::Project& project) {
   std::vector<std::string> sentences;
-  const auto& materials = project.environment.materials;
-  for (const Object& object : project.environment.objects) {
-    const bool isGlass = std::any_of(object.materials.begin(), object.materials.end(),
-                                     [&](std::uint32_t index) { return materials[index].model == "dielectric"; });
-    if (object.facesInward || !object.shape.closed || isGlass) continue;
-    for (const core::Mat4& place : scene::placesOf(object)) {
-      const geometry::Bounds box = geometry::bounds(object.shape, place);
-      std::optional<geometry::InsideTest> test;  // dear for a large mesh: only where the box says maybe
-      for (const scene::Luminaire& luminaire : project.environment.luminaires) {
-        const core::Vec3& c = luminaire.center;
-        if (!glm::all(glm::lessThan(box.min, c)) || !glm::all(glm::lessThan(c, box.max))) continue;
-        if (!test) test.emplace(object.shape, place);
-        if (!test->contains(c)) continue;
-        sentences.push_back(fmt::format(
-            "the light of \"{}\", which is inside \"{}\": it does not come out; move it to the mouth of its "
-            "housing",
-            luminaire.name, object.name));
-      }
-    }
-  }
+  for (const scene::Enclosure& enclosure : scene::enclosuresOf(project.environment))
+    if (!enclosure.isHousing)
+      sentences.push_back(fmt::format("the light of \"{}\", which is inside \"{}\": it does not come out",
+                                      project.environment.luminaires[enclosure.luminaire].name,
+                                      project.environment.objects[enclosure.object].name));
   return sentences;
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/inside.h"
 #include "geometry/queries.h"
 #include "geometry/tessellate.h"
+#include "scene/housing.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -175,19 +176,21 @@ class Findings {
 
  private:
   void inObjects() {
-    const auto& environment = project_.environment;
+    for (const scene::Enclosure& enclosure : scene::enclosuresOf(project_.environment)) {
+      const scene::Luminaire& luminaire = project_.environment.luminaires[enclosure.luminaire];
+      const Object& object = objects()[enclosure.object];
+      warn(luminaire.position, "inside-object",
+           fmt::format("the luminaire \"{}\" at {} is inside \"{}\" (line {}): {}", luminaire.name,
+                       placeText(luminaire.center), object.name, object.position.line,
+                       enclosure.isHousing ? "taken for its housing, which does not shade its light"
+                                           : "too large for its housing, so its light does not come out"));
+    }
 
     for (std::size_t i = 0; i < objects().size(); ++i) {
       const Object& object = objects()[i];
       if (object.facesInward || !object.shape.closed) continue;
       for (const Mat4& place : scene::placesOf(object)) {
         const geometry::InsideTest test(object.shape, place);
-        for (const scene::Luminaire& luminaire : environment.luminaires) {
-          if (test.contains(luminaire.center))
-            warn(luminaire.position, "inside-object",
-                 fmt::format("the luminaire \"{}\" at {} is inside \"{}\" (line {}): its light does not come out",
-                             luminaire.name, placeText(luminaire.center), object.name, object.position.line));
-        }
         for (const analysis::Grid& grid : project_.grids) {
           std::size_t count = 0;
           Vec3 first(0);

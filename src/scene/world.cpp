@@ -10,6 +10,7 @@
 #include "geometry/queries.h"
 #include "geometry/revolution.h"
 #include "geometry/texture_coordinates.h"
+#include "scene/housing.h"
 
 namespace goniolux::scene {
 namespace {
@@ -26,7 +27,7 @@ Vec3 transformed(const Mat4& m, const Vec3& p) {
 
 class Builder {
  public:
-  explicit Builder(const Environment& environment) : environment_(environment) {
+  explicit Builder(const Environment& environment) : environment_(environment), enclosures_(enclosuresOf(environment)) {
     world_.materials = environment.materials;
     world_.sourceSpectra = environment.sourceSpectra;
     world_.textures = environment.textures;
@@ -191,8 +192,12 @@ class Builder {
       if (finish.luminance > 0 && glm::length(glm::cross(b - a, c - a)) > 0) {
         geometry::Bounds bounds;
         bounds.add(a), bounds.add(b), bounds.add(c);
-        world_.emitters.push_back(
-            {emitter::makeTriangleEmitter(a, b, c, finish.luminance * core::pi), finish.spectrum, none, true, bounds});
+        world_.emitters.push_back({emitter::makeTriangleEmitter(a, b, c, finish.luminance * core::pi),
+                                   finish.spectrum,
+                                   none,
+                                   true,
+                                   bounds,
+                                   {}});
       }
     }
     for (const auto& patch : object.shape.patches) addPatch(patch, toWorld, partSurface[patch.part]);
@@ -247,7 +252,10 @@ class Builder {
     const bool lit = made->flux() > 0;
     const bool hasGeometry = opening.shape != Opening::Shape::point && opening.shape != Opening::Shape::line;
     if (lit) {
-      world_.emitters.push_back({std::move(made), luminaire.spectrum, index, hasGeometry, {}});
+      world_.emitters.push_back({std::move(made), luminaire.spectrum, index, hasGeometry, {}, {}});
+      for (const Enclosure& enclosure : enclosures_)
+        if (enclosure.luminaire == index && enclosure.isHousing)
+          world_.emitters.back().housings.push_back(enclosure.object);
       source = static_cast<std::uint32_t>(world_.emitters.size() - 1);
     }
     if (lit && !hasGeometry) {
@@ -343,6 +351,7 @@ class Builder {
   }
 
   const Environment& environment_;
+  std::vector<Enclosure> enclosures_;
   World world_;
 };
 

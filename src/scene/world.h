@@ -58,10 +58,13 @@ struct InstancedMesh {
 
 struct LightSource {
   std::unique_ptr<emitter::Emitter> emitter;
-  std::uint32_t spectrum = 0;      ///< index into World::sourceSpectra
-  std::uint32_t luminaire = none;  ///< index into Environment::luminaires; none for an emitting surface
-  bool hasGeometry = false;        ///< rays can hit it
-  geometry::Bounds bounds{};       ///< of what emits
+  std::uint32_t spectrum = 0;             ///< index into World::sourceSpectra
+  std::uint32_t luminaire = none;         ///< index into Environment::luminaires; none for an emitting surface
+  bool hasGeometry = false;               ///< rays can hit it
+  geometry::Bounds bounds{};              ///< of what emits
+  std::vector<std::uint32_t> housings{};  ///< objects that do not shade it (scene/housing.h)
+  /// A ray may come to its surface.
+  [[nodiscard]] bool canBeMet() const { return hasGeometry && housings.empty(); }
 };
 
 struct World {

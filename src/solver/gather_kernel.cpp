@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "solver/directions.h"
+#include "solver/path_caustics.h"
 #include "solver/world_extent.h"
 
 namespace goniolux::solver {
@@ -154,6 +155,13 @@ void GatherSolver<W>::directAt(const Vertex& at, std::uint64_t key, std::vector<
     full *= static_cast<float>(weight);
     for (int k = 0; k < W; ++k) bySource[light.spectrum].v[k] += full.v[k];
   };
+  if (this->caustics_) {
+    this->everyCausticAt(at.point, -1, rays, [&](const Caustics::Arrival& arrival, Spectral& filter) {
+      filter *= static_cast<float>(arrival.normalIlluminance * std::max(0.0, glm::dot(arrival.direction, at.normal)));
+      const std::uint32_t spectrum = this->world_.emitters[arrival.source].spectrum;
+      for (int k = 0; k < W; ++k) bySource[spectrum].v[k] += filter.v[k];
+    });
+  }
   if (lights.size() <= fewLights) {
     for (std::uint32_t i = 0; i < lights.size(); ++i) connect(i, 1, lights[i].emitter->hasClosedForm() ? 1 : 4);
     return;

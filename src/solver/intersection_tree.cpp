@@ -201,13 +201,13 @@ void TreeBuilder::findArrivals(TreeNode& node, const Vec3& point, const Vec3& no
     const double cosine = glm::dot(light.direction, normal);
     if (light.normalIlluminance <= 0 || cosine == 0 || (cosine < 0 && !both)) continue;
     const Vec3 start = tracer_.leave(point, cosine > 0 ? normal : -normal);
-    const double share = seen(start, point + light.direction * light.distance, tree.rays);
+    const double share = seen(source, start, point + light.direction * light.distance, tree.rays);
     if (share > 0) tree.arrivals.push_back({i, frame.toLocal(light.direction), light.normalIlluminance * share});
   }
   node.arrivals = tree.arrivals.size() - node.firstArrival;
 }
 
-double TreeBuilder::seen(Vec3 origin, const Vec3& target, std::uint64_t& rays) const {
+double TreeBuilder::seen(const scene::LightSource& source, Vec3 origin, const Vec3& target, std::uint64_t& rays) const {
   const Vec3 way = target - origin;
   double length = glm::length(way), share = 1;
   if (!(length > tracer_.slack())) return 1;
@@ -217,15 +217,18 @@ double TreeBuilder::seen(Vec3 origin, const Vec3& target, std::uint64_t& rays) c
     ++rays;
     tracer::Hit hit;
     if (!tracer_.intersect(origin, direction, hit) || hit.distance >= length) return share;
-    const reflection::LocalShading& shading = *shadings_[world_.surfaces[hit.surface].material];
-    if (!shading.transmits() || shading.bends()) return 0;
+    const scene::Surface& surface = world_.surfaces[hit.surface];
     const bool inside = glm::dot(hit.normal, direction) > 0;
-    const core::Frame frame = frameAbout(inside ? -hit.normal : hit.normal);
-    std::vector<float> through(count_);
-    shading.transmittedFactor(frame.toLocal(-direction), {}, through.data());
-    share *= static_cast<double>(through[hero_]);
+    if (std::find(source.housings.begin(), source.housings.end(), surface.object) == source.housings.end()) {
+      const reflection::LocalShading& shading = *shadings_[surface.material];
+      if (!shading.transmits() || shading.bends()) return 0;
+      const core::Frame frame = frameAbout(inside ? -hit.normal : hit.normal);
+      std::vector<float> through(count_);
+      shading.transmittedFactor(frame.toLocal(-direction), {}, through.data());
+      share *= static_cast<double>(through[hero_]);
+    }
     const Vec3 next = tracer_.leave(hit.position, inside ? hit.normal : -hit.normal);
-    length -= glm::dot(next - origin, direction);
+    length -= std::max(glm::dot(next - origin, direction), tracer_.slack());
     origin = next;
   }
   return share;

@@ -86,7 +86,8 @@ class TreeBuilder {
   void build(const core::Vec3& origin, const core::Vec3& direction, core::Sampler& random,
              IntersectionTree& tree) const;
   /// The share of light that comes from `target`: panes filter it, everything else blocks it. Counts rays.
-  [[nodiscard]] double seen(core::Vec3 origin, const core::Vec3& target, std::uint64_t& rays) const;
+  [[nodiscard]] double seen(const scene::LightSource& source, core::Vec3 origin, const core::Vec3& target,
+                            std::uint64_t& rays) const;
 
  private:
   /// A ray that waits to be traced.

@@ -48,25 +48,29 @@ bool PathSolver<W>::connected(const Light& light, const Vertex& from, const Vec3
   const double length = glm::length(toTarget);
   if (!(length > tracer_.slack())) return true;
   const double reach = length * (1 - 1e-5) - tracer_.slack();
-  if (hasPanes_) return seenThroughPanes(origin, toTarget / length, reach, filter, rays);
+  const auto& housings = world_.emitters[light.source].housings;
+  if (hasPanes_ || !housings.empty()) return seenThroughPanes(housings, origin, toTarget / length, reach, filter, rays);
   ++rays;
   return !tracer_.occluded(origin, toTarget / length, reach);
 }
 
 template <int W>
-bool PathSolver<W>::seenThroughPanes(Vec3 origin, const Vec3& direction, double length, Spectral& filter,
-                                     std::uint64_t& rays) const {
+bool PathSolver<W>::seenThroughPanes(const std::vector<std::uint32_t>& housings, Vec3 origin, const Vec3& direction,
+                                     double length, Spectral& filter, std::uint64_t& rays) const {
   while (length > 0) {
     tracer::Hit hit;
     ++rays;
     if (!tracer_.intersect(origin, direction, hit) || hit.distance >= length) return true;
-    const reflection::Bsdf& bsdf = bsdfOf(hit.surface);
-    if (!bsdf.lobes().straight) return false;
-    Spectral transmittance = Spectral::filled(0);
-    bsdf.straightTransmittance(std::abs(glm::dot(hit.normal, direction)), transmittance.v.data());
-    filter *= transmittance;
+    const scene::Surface& surface = world_.surfaces[hit.surface];
+    if (std::find(housings.begin(), housings.end(), surface.object) == housings.end()) {
+      const reflection::Bsdf& bsdf = bsdfOf(hit.surface);
+      if (!bsdf.lobes().straight) return false;
+      Spectral transmittance = Spectral::filled(0);
+      bsdf.straightTransmittance(std::abs(glm::dot(hit.normal, direction)), transmittance.v.data());
+      filter *= transmittance;
+    }
     const Vec3 next = tracer_.leave(hit.position, glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal);
-    length -= glm::dot(next - origin, direction);
+    length -= std::max(glm::dot(next - origin, direction), tracer_.slack());
     origin = next;
   }
   return true;
@@ -169,7 +173,7 @@ void PathSolver<W>::addDirect(Response& sum, const Vertex& at, const Meeting& me
     f *= filter;
     // What sample() finds as well is shared with it (balance heuristic with a nominal density of the light, the same
     // on both sides, so that the shares add up to 1 exactly).
-    if (lobes.glossy && world_.emitters[light.source].hasGeometry) {
+    if (lobes.glossy && world_.emitters[light.source].canBeMet()) {
       const double solidAngle = light.emitter->roughSolidAngle(seen.point);
       weight *= share / (share + met.bsdf->density(out, in, met.interface) * solidAngle);
     }
@@ -187,6 +191,7 @@ void PathSolver<W>::addDirect(Response& sum, const Vertex& at, const Meeting& me
   };
   fromSide(at);
   if (lobes.transmits) fromSide({at.point, tracer_.leave(at.point, -at.normal), -at.normal});
+  if (caustics_) addCaustics(sum, at, met, out, shading, path, everyLight, random, rays);
 }
 
 }  // namespace goniolux::solver

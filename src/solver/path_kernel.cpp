@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "solver/path_caustics.h"
 #include "solver/path_connections.h"
 #include "solver/path_guidance.h"
 #include "solver/path_receiver.h"
@@ -35,7 +36,6 @@ PathSolver<W>::PathSolver(const Problem& problem)
   assert(quadrature.wavelengths.size() <= static_cast<std::size_t>(W));
   std::vector<bool> isMirror;
   std::vector<double> largestMirror;  // reflectance, where it is one
-  bool bends = false;
   for (const material::Material& material : world_.materials) {
     bsdfs_.push_back(reflection::makeBsdf(material, quadrature));
     hasTextures_ = hasTextures_ || material.texture;
@@ -51,7 +51,6 @@ PathSolver<W>::PathSolver(const Problem& problem)
     hasPanes_ = hasPanes_ || bsdf.lobes().straight || (bsdf.lobes().mirror && bsdf.lobes().angular);
     if (bsdf.medium() == nullptr) continue;
     hasMedia_ = true;
-    bends = bends || bsdf.isSpecular();
     disperses_ = disperses_ || bsdf.medium()->disperses;
   }
   std::vector<double> seen(quadrature.wavelengths.size(), 0);
@@ -94,22 +93,12 @@ PathSolver<W>::PathSolver(const Problem& problem)
     brightest_ = std::max(brightest_, peakOverMean * source.emitter->flux() / (core::pi * std::max(faces, 1e-12)));
   }
 
-  // Points and lines have no geometry that a ray could hit: their light by mirrors is found through plane images only,
-  // and what glass bends is not found at all.
-  bool invisible = false, curvedMirror = false;
-  for (const scene::LightSource& source : world_.emitters) invisible = invisible || !source.hasGeometry;
-  for (const scene::PlacedPatch& patch : world_.patches)
-    curvedMirror = curvedMirror || isMirror[world_.surfaces[patch.surface].material];
-  losesCaustics_ = invisible && (curvedMirror || bends || !lights_->planes().empty());
+  findCaustics(quadrature.wavelengths.size(), problem.accuracy);
 }
 
 template <int W>
 std::vector<std::string> PathSolver<W>::leftOut() const {
-  if (!losesCaustics_) return {};
-  return {
-      "light of point and line luminaires that arrives by curved mirrors, through solid glass or water, or by more "
-      "than " +
-      std::to_string(lights_->imageDepth()) + " plane mirrors in a row"};
+  return leftOut_;
 }
 
 template <int W>
@@ -130,7 +119,7 @@ typename PathSolver<W>::Path PathSolver<W>::pathFrom(const Vertex& at, const cor
                                                      core::Sampler& random) const {
   Path path{at.start, cosineDirection(frame, random.next2()), Spectral::filled(static_cast<float>(core::pi))};
   chooseHero(path, random);
-  path.connected = true;
+  path.connected = path.isOpen = true;
   path.white = core::pi;
   return path;
 }

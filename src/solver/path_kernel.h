@@ -10,6 +10,7 @@
 
 #include "reflection/bsdf.h"
 #include "solver/bright_spots.h"
+#include "solver/caustics.h"
 #include "solver/free_view.h"
 #include "solver/light_list.h"
 #include "solver/light_solution.h"
@@ -117,6 +118,8 @@ class PathSolver : public Solver {
     double share = 1;        ///< a light's nominal probability of being connected to
     Vec3 seenFrom{0};        ///< the last point, as it appears through those mirrors
     Guidance guidance{};
+    bool isOpen = false;  ///< its last point was connected to the lights in the direction that it goes
+    bool isBent = false;  ///< has met a curved mirror or an interface since
     bool onSpot = false;  ///< what it has met is a bright spot
     double white = 0;     ///< it carries every wavelength alike, times this; 0: no longer
   };
@@ -139,8 +142,9 @@ class PathSolver : public Solver {
   /// transmittances of panes.
   bool connected(const Light& light, const Vertex& from, const Vec3& unfoldedDirection, double distance,
                  Spectral& filter, std::uint64_t& rays) const;
-  /// True when only panes lie on the way.
-  bool seenThroughPanes(Vec3 origin, const Vec3& direction, double length, Spectral& filter, std::uint64_t& rays) const;
+  /// True when only panes lie on the way, and the luminaire's own housing.
+  bool seenThroughPanes(const std::vector<std::uint32_t>& housings, Vec3 origin, const Vec3& direction, double length,
+                        Spectral& filter, std::uint64_t& rays) const;
   /// What a receiver makes of a unit of light from a light's (unfolded) direction; 0 below a plane's horizon.
   [[nodiscard]] double answerTo(const Light& light, const Receiver& receiver, const Vec3& unfoldedDirection) const;
   [[nodiscard]] Vertex vertexOf(const Receiver& receiver) const {
@@ -191,6 +195,16 @@ class PathSolver : public Solver {
   /// Weighs a guided direction by what it meets. False: it missed what it was meant for, and ends.
   bool weighGuidance(Path& path, const tracer::Hit& hit) const;
   void findSpots(double area);
+  void findCaustics(std::size_t nodes, double accuracy);
+  /// visit(arrival, filter) for what comes to a point from small luminaires by curved mirrors and through solid glass.
+  template <typename Visit>
+  void eachCausticAt(const Vec3& point, std::size_t node, double draw, std::uint64_t& rays, const Visit& visit) const;
+  /// The same for all wavelengths, where each goes its own way.
+  template <typename Visit>
+  void everyCausticAt(const Vec3& point, double draw, std::uint64_t& rays, const Visit& visit) const;
+  void planCaustics(Plan& plan, const Receiver& receiver, std::uint64_t& rays) const;
+  void addCaustics(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const Shading& shading,
+                   const Path& path, bool isSeen, core::Sampler& random, std::uint64_t& rays) const;
   /// Follows a ray over mirrors and through glass to the first diffuse surface.
   [[nodiscard]] Arrival arrive(const Vec3& origin, const Vec3& direction, core::Sampler& random,
                                std::uint64_t& rays) const;
@@ -213,10 +227,12 @@ class PathSolver : public Solver {
   std::unique_ptr<LightList> lights_;
   std::vector<std::uint32_t> emitterOfTriangle_;  // index into World::emitters, of emitting finishes
   std::vector<double> heroProbability_, heroCumulative_;
-  bool lightsAreFew_ = false, losesCaustics_ = false;
+  bool lightsAreFew_ = false;
   bool hasMedia_ = false, disperses_ = false, hasTextures_ = false;
   FreeView freeView_;
   BrightSpots spots_;
+  std::unique_ptr<Caustics> caustics_;  ///< null: there are none
+  std::vector<std::string> leftOut_;
   double brightest_ = 0;                     // luminance of what emits, roughly, cd/m2
   double pilotRays_;                         // shadow rays of a receiver's pilot, over all lights
   std::unique_ptr<LightSolution> solution_;  // of solvers that end paths in one

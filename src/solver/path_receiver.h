@@ -72,6 +72,8 @@ std::unique_ptr<ReceiverPlan> PathSolver<W>::plan(const Receiver& receiver, std:
     for (std::size_t c = 0; c < bound.size(); ++c) plan->quadratureBound[c] += bound[c];
   }
 
+  if (caustics_) planCaustics(*plan, receiver, rays);
+
   // Spread of single paths, for sharing effort between paths and shadow rays.
   double sum = 0, squares = 0;
   const std::uint64_t stream = core::combine(key, indirectStream);

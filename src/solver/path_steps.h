@@ -47,6 +47,10 @@ bool PathSolver<W>::meet(Path& path, Meeting& met, std::uint64_t& rays) const {
 template <int W>
 void PathSolver<W>::addEmitted(Response& sum, const Path& path, const tracer::Hit& hit) const {
   double share = 1;
+  if (caustics_ && path.isOpen && path.isBent) {
+    const std::uint32_t emitter = emitterAt(hit);
+    if (emitter != scene::none && caustics_->serves(emitter)) return;
+  }
   if (path.connected && path.mirrors <= lights_->imageDepth()) {
     const std::uint32_t emitter = emitterAt(hit);
     if (emitter != scene::none) {
@@ -103,13 +107,15 @@ bool PathSolver<W>::goOn(Path& path, const Meeting& met, const Vertex& at, const
       glm::dot(met.hit.normal, at.normal) > 0 ? path.media.enter(body, medium) : path.media.leave(body);
   }
   if (met.bsdf->lobes().spread) {  // by far the most frequent
-    path.connected = !next.specular;
+    path.connected = path.isOpen = !next.specular;
+    path.isBent = false;
     path.mirrors = 0;
     path.seenFrom = at.point;
     path.density = met.bsdf->lobes().glossy ? next.density : 0;
   } else if (!next.straight) {
     const std::uint32_t plane = lights_->planeOf(met.hit.primitive);
     path.connected = path.connected && !through && plane != scene::none;
+    path.isBent = path.isBent || through || plane == scene::none;
     ++path.mirrors;
     if (path.connected) path.seenFrom = lights_->planes()[plane].reflectPoint(path.seenFrom);
   }

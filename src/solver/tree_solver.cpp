@@ -59,7 +59,7 @@ class TreeSolver final : public Solver {
         const double answer = light.normalIlluminance > 0 ? receiver.response(light.direction) : 0;
         if (answer <= 0) continue;
         sum += light.normalIlluminance * answer *
-               builder_.seen(start, receiver.point + light.direction * light.distance, rays);
+               builder_.seen(source, start, receiver.point + light.direction * light.distance, rays);
       }
       for (std::size_t c = 0; c < result.size(); ++c)
         for (std::size_t k = 0; k < nodes_; ++k) result[c] += sum / samples * lighting_.weights[source.spectrum][k][c];
