@@ -29,7 +29,7 @@ report::Plan planOf(const Outline& outline, const project::Results& results,
 std::vector<std::string> staleInputs(const project::Results& results, const project::Project& project);
 
 /// What each group of luminaires gives to each grid, from what `scenes` kept beside the results; empty where it kept
-/// nothing, or what it kept belongs to an earlier form of the project.
+/// nothing, or what it kept does not add up to these results.
 std::vector<report::Contribution> contributionsOf(const project::Results& results, const project::Project& project,
                                                   const std::string& resultsFolder);
 

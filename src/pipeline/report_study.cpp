@@ -1,4 +1,6 @@
 // What the report takes from other verbs' files: contributions of groups (`scenes`) and the speed chart (`study`).
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "core/document.h"
@@ -39,6 +41,25 @@ core::Estimate scaled(core::Estimate e, double factor) {
   return e;
 }
 
+bool haveTheSameGrids(const project::Results& a, const project::Results& b) {
+  return std::equal(a.grids.begin(), a.grids.end(), b.grids.begin(), b.grids.end(), [](const auto& g, const auto& h) {
+    return g.name == h.name && g.quantity == h.quantity && g.points.size() == h.points.size();
+  });
+}
+
+/// Light adds up: what does not, within the half-widths, was kept for another form of the project.
+bool addUpTo(const project::Results& results, const std::vector<report::Contribution>& contributions) {
+  for (std::size_t i = 0; i < results.grids.size(); ++i) {
+    double sum = 0, halfWidth = results.grids[i].mean.halfWidth();
+    for (const report::Contribution& c : contributions) {
+      sum += c.means[i].value;
+      halfWidth += c.means[i].halfWidth();
+    }
+    if (!(std::abs(sum - results.grids[i].mean.value) <= halfWidth)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<report::Contribution> contributionsOf(const project::Results& results, const project::Project& project,
@@ -48,19 +69,18 @@ std::vector<report::Contribution> contributionsOf(const project::Results& result
   if (groups.size() < 2 || !folder) return {};  // one group gives everything
   try {
     const std::map<std::string, double> levels = levelsOf(results, project);
-    const std::string key = groupKey(project);
     std::vector<report::Contribution> contributions;
     for (const std::string& group : groups) {
       const auto level = levels.find(group);
       if (level == levels.end()) continue;  // off in this lighting scene
       const project::Results alone = project::readResults((*folder / (project::fileNameFor(group) + ".json")).string());
-      if (alone.projectHash != key || alone.grids.size() != results.grids.size()) return {};
+      if (alone.lightingScene != group || !haveTheSameGrids(alone, results)) return {};
       report::Contribution contribution{group, level->second, {}};
       for (const project::GridResult& grid : alone.grids)
         contribution.means.push_back(scaled(grid.mean, level->second));
       contributions.push_back(std::move(contribution));
     }
-    return contributions;
+    return addUpTo(results, contributions) ? contributions : std::vector<report::Contribution>{};
   } catch (const core::InputError&) {  // a group's file is missing or damaged, or a group has no one level
     return {};
   }

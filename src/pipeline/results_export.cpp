@@ -60,7 +60,6 @@ StageReport exportResults(const StageRequest& request, const std::string& format
   }
   report.json.set("format", format);
   report.json.set("files", core::Value::arrayOf(report.files));
-  for (const std::string& file : report.files) report.text += file + "\n";
   return report;
 }
 
