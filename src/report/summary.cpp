@@ -80,6 +80,13 @@ std::string limitText(const RequirementResult& r, const Words& words) {
   return text;
 }
 
+/// The clause, with what project::RequirementPreset::reference says of its figures in the reader's language.
+std::string clauseText(const std::string& clause, const Words& words) {
+  const std::string doubt = " (figures unconfirmed)";
+  if (!clause.ends_with(doubt)) return clause;
+  return clause.substr(0, clause.size() - doubt.size()) + " (" + words("figures unconfirmed") + ")";
+}
+
 std::string requirementTable(const Report& report, const Words& words) {
   const auto& all = report.results.requirements;
   if (all.empty()) return "";
@@ -93,8 +100,9 @@ std::string requirementTable(const Report& report, const Words& words) {
       continue;
     }
     const std::string unit = limitUnit(r.quantity);
-    const std::string clause =
-        r.clause.empty() ? "" : fmt::format("<br><span class=\"quiet small\">{}</span>", escapedMarkup(r.clause));
+    const std::string clause = r.clause.empty() ? ""
+                                                : fmt::format("<br><span class=\"quiet small\">{}</span>",
+                                                              escapedMarkup(clauseText(r.clause, words)));
     rows +=
         fmt::format("<tr><td>{}{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}{}</td><td>{}</td></tr>\n",
                     escapedMarkup(r.of), clause, words(limitName(r.quantity)), limitText(r, words),

@@ -54,6 +54,7 @@ constexpr std::array texts = {
     Text{"illuminance", "Beleuchtungsstärke"},
     Text{"melanopic-edi", "melanopische tageslichtäquivalente Beleuchtungsstärke"},
     Text{"Observer", "Beobachter"},
+    Text{"figures unconfirmed", "Zahlen unbestätigt"},
     Text{"Glares most", "Blendet am stärksten"},
     Text{"Group", "Gruppe"},
     Text{"Level", "Stellwert"},

@@ -87,6 +87,8 @@ TEST(Report, ConvertsToFootcandlesAndGermanNumbers) {
   report.language = Language::german;
   EXPECT_TRUE(contains(htmlOf(report), "103,8 ± 0,7 fc"));
   EXPECT_TRUE(contains(htmlOf(report), "mindestens 46,5 fc"));
+  report.results.requirements[0].clause = "EN 12464-1:2021, 34.3 (figures unconfirmed)";
+  EXPECT_TRUE(contains(htmlOf(report), "EN 12464-1:2021, 34.3 (Zahlen unbestätigt)"));
 }
 
 TEST(Words, GroupsThousandsAndChoosesTheDecimalSign) {
