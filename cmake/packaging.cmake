@@ -2,6 +2,8 @@
 # `goniolux-dev` (the engine's libraries and headers with a CMake package). The programs find their data and helpers from
 # where they stand: bin/goniolux looks in ../libexec and ../share/goniolux.
 include(GNUInstallDirs)
+# Installing and packing take what is built: the target `programs` is enough, tests need not be there.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 set(manual_folder ${CMAKE_BINARY_DIR}/share/man/man1)
 set(completion_folder ${CMAKE_BINARY_DIR}/share/completion)

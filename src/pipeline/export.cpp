@@ -1,9 +1,10 @@
-// Stage `export`: the scene for other programs.
+// Stage `export`: the scene, or the results, for other programs.
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "pipeline/engine.h"
+#include "pipeline/results_export.h"
 #include "pipeline/scene_export.h"
 #include "pipeline/stages.h"
 #include "project/results.h"
@@ -16,9 +17,10 @@ namespace fs = std::filesystem;
 StageReport run(const StageRequest& request, core::ProgressSink&) {
   const auto asked = request.options.find("to");
   const std::string format = asked == request.options.end() ? "radiance" : asked->second;
+  if (isResultsFormat(format)) return exportResults(request, format);
   if (format != "radiance" && format != "gltf")
     throw core::InputError({"goniolux export", 0, 0}, "usage",
-                           fmt::format("--to is \"{}\"; it can be radiance or gltf", format));
+                           fmt::format("--to is \"{}\"; it can be radiance, gltf, ods or vtu", format));
   const project::Project project = readProjectFor(request, AccuracyOf::grids);
   StageReport report;
   report.warnings = project.warnings;
@@ -62,18 +64,20 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
 Stage exportStage() {
   Stage stage;
   stage.name = "export";
-  stage.title = "Write the scene for other programs";
+  stage.title = "Write the scene, or the results, for other programs";
   stage.help =
       "For a second opinion: writes the scene as Radiance files with a script that calculates the same grids "
       "(--to radiance, into the folder given with -o, default PROJECT/radiance), or as binary glTF for modellers and "
-      "viewers (--to gltf, -o FILE.glb). What the other program cannot say is a warning.";
+      "viewers (--to gltf, -o FILE.glb). What the other program cannot say is a warning. Results, of the project or of "
+      "a results folder, as a spreadsheet for LibreOffice, Excel or Numbers (--to ods, -o FILE.ods), or as "
+      "unstructured grids for ParaView (--to vtu, a file per grid).";
   stage.inputName = "PROJECT";
   core::Parameter to;
   to.key = "to";
   to.title = "format";
   to.kind = core::ParameterKind::text;
   to.defaultText = "radiance";
-  to.help = "radiance or gltf";
+  to.help = "radiance, gltf, ods or vtu";
   stage.options = {to};
   stage.run = run;
   return stage;

@@ -11,6 +11,7 @@
 #include "pipeline/luminaire_tables.h"
 #include "pipeline/luminaire_tools.h"
 #include "pipeline/stages.h"
+#include "project/reading.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -71,6 +72,19 @@ bool isFull(const StageRequest& request) {
   throw core::InputError({}, "bad-option", fmt::format("--sheet {}: take short or full", sheet));
 }
 
+/// A name that is no file here may be one of the program's own ("panel-600.ies", also with "luminaires/" before it).
+std::string foundPath(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path given = name;
+  if (given.empty() || given.is_absolute() || fs::exists(given, ignored)) return name;
+  for (const fs::path& folder : project::programDataFolders()) {
+    const fs::path own = *given.begin() == "luminaires" ? folder / given : folder / "luminaires" / given;
+    if (fs::is_regular_file(own, ignored)) return own.lexically_normal().string();
+  }
+  return name;
+}
+
 StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   StageReport report;
   const photometry::Strictness mode = strictness(request);
@@ -92,7 +106,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   for (const std::string& path : request.inputs) {
     progress.progress("luminaire", done / static_cast<double>(request.inputs.size()), path);
     try {
-      const photometry::PhotometricFile file = photometry::readPhotometricFile(path, mode);
+      const photometry::PhotometricFile file = photometry::readPhotometricFile(foundPath(path), mode);
       entries.push_back(luminaireDocument(file));
       if (full) addTables(file, entries.back());
       if (!report.text.empty()) report.text += '\n';

@@ -97,6 +97,8 @@ void addProject(const Project& project, const ReportOptions& options, report::Re
   content.luminaires = luminaireTypes(project, warnings);
   content.surfaces = roomSurfaces(project);
   content.floorArea_m2 = floorArea(project);
+  content.contributions = contributionsOf(content.results, project, options.resultsFolder);
+  content.speedChart = speedChartOf(project);
   for (const scene::View& view : project.views) {
     const fs::path file = fs::path(options.resultsFolder) / (project::fileNameFor(view.name) + ".png");
     std::error_code ignored;

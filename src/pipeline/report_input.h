@@ -28,6 +28,14 @@ report::Plan planOf(const Outline& outline, const project::Results& results,
 /// A sentence for each input that is not what the results were made from.
 std::vector<std::string> staleInputs(const project::Results& results, const project::Project& project);
 
+/// What each group of luminaires gives to each grid, from what `scenes` kept beside the results; empty where it kept
+/// nothing, or what it kept does not add up to these results.
+std::vector<report::Contribution> contributionsOf(const project::Results& results, const project::Project& project,
+                                                  const std::string& resultsFolder);
+
+/// The chart that `study` left in the project's folder.
+std::optional<report::Picture> speedChartOf(const project::Project& project);
+
 /// The grid's map in the reader's units and language; nothing, and a warning, when it cannot be drawn.
 std::optional<report::Picture> gridMap(const project::Results& results, std::size_t grid, const Outline* outline,
                                        report::Language language, report::Units units, core::Diagnostics& warnings);

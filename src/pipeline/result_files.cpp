@@ -23,9 +23,8 @@ std::string underscored(std::string name) {
   return name;
 }
 
-}  // namespace
-
-std::string gridVtp(const Results& results, const GridResult& grid) {
+/// The points with value, half-width and its parts, as a surface between them.
+PolyData polyDataOf(const Results& results, const GridResult& grid) {
   PolyData data;
   data.comment =
       fmt::format("goniolux {}: {} of grid {} of project {}, hash {}, seed {}, half-widths at {:g} % confidence",
@@ -40,7 +39,7 @@ std::string gridVtp(const Results& results, const GridResult& grid) {
   }
   if (!grid.counts) {
     for (std::int64_t i = 0; i < std::ssize(grid.points); ++i) data.vertices.push_back({i});
-    return plot::vtpOf(data);
+    return data;
   }
   const std::int64_t nu = (*grid.counts)[0], nv = (*grid.counts)[1];
   std::vector<bool> isExcluded(grid.points.size(), false);
@@ -58,7 +57,17 @@ std::string gridVtp(const Results& results, const GridResult& grid) {
     for (std::int64_t i = 0; i < nu * nv; ++i) row.push_back(i);
     data.lines.push_back(std::move(row));
   }
-  return plot::vtpOf(data);
+  return data;
+}
+
+}  // namespace
+
+std::string gridVtp(const Results& results, const GridResult& grid) {
+  return plot::vtpOf(polyDataOf(results, grid));
+}
+
+std::string gridVtu(const Results& results, const GridResult& grid) {
+  return plot::vtuOf(polyDataOf(results, grid));
 }
 
 std::string outlineVtp(const Outline& outline) {

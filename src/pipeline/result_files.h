@@ -13,6 +13,8 @@ namespace goniolux::pipeline {
 /// A grid's points with value, half-width and its parts, as a surface between the points (a list of points stays
 /// points).
 std::string gridVtp(const project::Results& results, const project::GridResult& grid);
+/// The same as an unstructured grid (.vtu).
+std::string gridVtu(const project::Results& results, const project::GridResult& grid);
 /// The scene's edges and the luminaires' openings as lines.
 std::string outlineVtp(const Outline& outline);
 

@@ -118,7 +118,12 @@ class Batch {
                               "none of these projects has a baseline, so nothing was compared; make them with "
                               "`goniolux verify --update`");
     report.json = documentOf(batch_);
-    report.files = writeReports(report.json);
+    try {
+      report.files = writeReports(report.json);
+    } catch (const core::RunError& error) {  // a full disk must not swallow what was found
+      report.unfinished = true;
+      report.warnings.warning({}, "not-written", error.what());
+    }
     if (report.unfinished)
       report.warnings.warning({}, "unfinished",
                               "the batch is not finished; what is done is kept: run the same command with --resume");

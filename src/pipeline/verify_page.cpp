@@ -24,7 +24,7 @@ th { text-align: left; font-weight: 600; color: #5a6670; border-bottom: 1px soli
 td { border-bottom: 1px solid #eceff1; padding: .35em .6em .35em 0; vertical-align: top; } td.n { text-align: right; font-variant-numeric: tabular-nums; }
 .tag { display: inline-block; min-width: 6.5em; text-align: center; border-radius: 3px; font-size: .85em; color: #fff; }
 .pass { background: #2e7d4f; } .fail { background: #b3372c; } .error { background: #7a3f9d; } .no-baseline, .not-run { background: #8a949c; }
-figure { display: inline-block; margin: .6em 1.6em .6em 0; } figcaption { color: #5a6670; font-size: .9em; } pre { white-space: pre-wrap; background: #f6f7f8; padding: .8em; }
+.n { text-align: right; } .side { display: flex; gap: 1.6em; break-inside: avoid; } figure { flex: 1 1 0; min-width: 0; margin: .6em 0; } figure svg { width: 100%; height: auto; display: block; } figcaption { color: #5a6670; font-size: .9em; } pre { white-space: pre-wrap; background: #f6f7f8; padding: .8em; }
 )";
 
 std::string colourText(const plot::Rgb& c) {
@@ -44,13 +44,9 @@ plot::Rgb divergingColour(double t) {
 template <typename ColourOf>
 std::string cells(const std::array<int, 2>& counts, const std::vector<double>& values, const std::string& caption,
                   ColourOf colourOf) {
-  const int width = 300;
-  const double size = static_cast<double>(width) / std::max(counts[0], 1);
-  const double side = std::clamp(size, 1.0, 40.0);
-  std::string svg = fmt::format(
-      "<figure><svg width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.2f} {1:.2f}\" "
-      "shape-rendering=\"crispEdges\">",
-      side * counts[0], side * counts[1]);
+  constexpr double side = 10;  // the page stretches the three to one width
+  std::string svg = fmt::format("<figure><svg viewBox=\"0 0 {:.2f} {:.2f}\" shape-rendering=\"crispEdges\">",
+                                side * counts[0], side * counts[1]);
   for (int j = 0; j < counts[1]; ++j) {
     for (int i = 0; i < counts[0]; ++i) {
       const double value = values[static_cast<std::size_t>(j * counts[0] + i)];
@@ -81,12 +77,13 @@ std::string gridsSideBySide(const project::ExpectedValue& expected, const projec
     const plot::Palette& palette = plot::palettes().front();
     const auto shade = [&](double v) { return plot::colourAt(palette, high > low ? (v - low) / (high - low) : 0.5); };
     const auto range = fmt::format("{} to {} {}", plot::levelText(low), plot::levelText(high), grid.unit);
-    return fmt::format("<p>{}</p>", escapedMarkup(expected.grid)) +
+    return fmt::format("<p>{}</p><div class=\"side\">", escapedMarkup(expected.grid)) +
            cells(*grid.counts, expected.values, "expected, " + range, shade) +
            cells(*grid.counts, grid.values, "now, same colours", shade) +
            cells(*grid.counts, difference,
                  fmt::format("difference, ±{} {}: red is brighter now", plot::levelText(apart), grid.unit),
-                 [&](double v) { return divergingColour(apart > 0 ? v / apart : 0); });
+                 [&](double v) { return divergingColour(apart > 0 ? v / apart : 0); }) +
+           "</div>\n";
   }
   return "";
 }
@@ -97,7 +94,9 @@ std::string changesOf(const BatchProject& project) {
   for (const std::string& input : project.changedInputs)
     html += fmt::format("<p>Changed input: <b>{}</b></p>\n", escapedMarkup(input));
   if (project.verdict != Verdict::changed) return html;
-  html += "<table><tr><th>value</th><th>expected</th><th>now</th><th>difference</th><th>explained</th></tr>\n";
+  html +=
+      "<table><tr><th>value</th><th class=\"n\">expected</th><th class=\"n\">now</th>"
+      "<th class=\"n\">difference</th><th class=\"n\">explained</th></tr>\n";
   for (const Difference& d : project.differences) {
     if (!d.changed) continue;
     const std::string name = d.of + ", " + d.quantity + (d.index ? fmt::format(" {}", *d.index) : "");
@@ -151,7 +150,7 @@ std::string pageOf(const BatchSummary& batch) {
       "changed, "
       "a batch like this one raises an alarm in at most {:g} % of the cases; {} values share that.</p>\n"
       "<table><tr><th>verdict</th><th>project</th><th>changed "
-      "inputs</th><th>values</th><th>time</th></tr>\n{}</table>\n{}"
+      "inputs</th><th class=\"n\">values</th><th class=\"n\">time</th></tr>\n{}</table>\n{}"
       "</body></html>\n",
       style, countOf(batch, Verdict::passed), batch.projects.size(), countOf(batch, Verdict::changed),
       countOf(batch, Verdict::broken), countOf(batch, Verdict::noBaseline), countOf(batch, Verdict::notRun),

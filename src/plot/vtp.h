@@ -1,6 +1,6 @@
-// VTK XML PolyData (.vtp), for ParaView. Written here and not by VTK, because the program that calculates loads no VTK;
-// the tests read the files back with VTK. Little-endian float64 and int64 in base64, not compressed: exact, and NaN is
-// kept.
+// VTK XML PolyData (.vtp) and UnstructuredGrid (.vtu), for ParaView. Written here and not by VTK, because the program
+// that calculates loads no VTK; the tests read the files back with VTK. Little-endian float64 and int64 in base64, not
+// compressed: exact, and NaN is kept.
 #pragma once
 
 #include <cstdint>
@@ -25,5 +25,7 @@ struct PolyData {
 };
 
 std::string vtpOf(const PolyData& data);
+/// The same as an unstructured grid: vertices, lines and polygons are its cells, in this order.
+std::string vtuOf(const PolyData& data);
 
 }  // namespace goniolux::plot

@@ -42,6 +42,7 @@ std::vector<RequirementPreset> readPresets() {
       preset.cylindrical = number(entry, "cylindrical_lx");
       preset.wall = number(entry, "wall_lx");
       preset.ceiling = number(entry, "ceiling_lx");
+      if (const Value* page = entry.find("compared_with")) preset.comparedWith = page->string();
       preset.hasSurrounding = root.find("key")->string() == "en-12464-1";
       presets.push_back(std::move(preset));
     }

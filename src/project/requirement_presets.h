@@ -21,7 +21,12 @@ struct RequirementPreset {
   std::optional<double> cylindrical, wall, ceiling;  ///< means, with a uniformity of 0.10
   bool hasSurrounding = false;                       ///< EN 12464-1: surrounding and background follow from the task's
 
-  [[nodiscard]] std::string reference() const { return standard + ", " + clause; }
+  std::string comparedWith;  ///< a public page on which the figures are the same; "" = compared with nothing
+
+  /// The clause, as it stands beside a verdict; says so where nothing public confirms the figures.
+  [[nodiscard]] std::string reference() const {
+    return standard + ", " + clause + (comparedWith.empty() ? " (figures unconfirmed)" : "");
+  }
 };
 
 const std::vector<RequirementPreset>& requirementPresets();

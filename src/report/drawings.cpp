@@ -147,7 +147,7 @@ std::string polarSvg(const plot::PolarDiagram& diagram, const Words& words) {
   constexpr double radius = 150, middle = 178;
   const bool both = upward > 0.02 * highest;
   const bool upper = both;
-  const double top = upper ? radius + 24 : 40;
+  const double top = upper ? radius + 44 : 40;  // the legend stands above
   const double height = top + radius + 34;
   const double perCandela = radius / (rings * step);
   std::string svg = fmt::format(

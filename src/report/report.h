@@ -61,6 +61,13 @@ struct Plan {
   std::vector<Area> grids;
 };
 
+/// What one group of luminaires gives, at the level of these results.
+struct Contribution {
+  std::string group;
+  double level = 1;
+  std::vector<core::Estimate> means;  ///< one per grid, in its unit
+};
+
 struct Report {
   project::Results results;
   std::string date;  ///< as it is to be read
@@ -71,7 +78,9 @@ struct Report {
   std::optional<Plan> plan;
   std::vector<std::optional<Picture>> maps;  ///< one per grid, in the chosen units and language
   std::vector<Picture> renderings;
-  std::vector<std::string> remarks;  ///< what a reader must know: stale results, missing pictures
+  std::vector<Contribution> contributions;  ///< empty where the groups were not calculated one by one
+  std::optional<Picture> speedChart;        ///< error over time, where the project was studied
+  std::vector<std::string> remarks;         ///< what a reader must know: stale results, missing pictures
   Language language = Language::english;
   Units units = Units::metric;
 };

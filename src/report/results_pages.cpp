@@ -115,6 +115,10 @@ std::string basisSection(const Report& report, const Words& words) {
   if (!inputs.empty())
     html += fmt::format("<h2>{}</h2><table><tr><th>{}</th><th>SHA-256</th></tr>{}</table>", words("Inputs"),
                         words("File"), inputs);
+  if (report.speedChart)
+    html += fmt::format("<h2>{}</h2><figure>{}<figcaption>{}</figcaption></figure>", words("Speed against accuracy"),
+                        imageTag(*report.speedChart, "wide"),
+                        words("Error against calculation time of this project, held against a long reference"));
   return html + "</section>\n";
 }
 

@@ -11,6 +11,7 @@ namespace goniolux::report {
 std::string coverSection(const Report& report, const Words& words);
 std::string summarySection(const Report& report, const Words& words);
 std::string luminaireSections(const Report& report, const Words& words);
+std::string contributionSection(const Report& report, const Words& words);
 std::string planSection(const Report& report, const Words& words);
 std::string gridSections(const Report& report, const Words& words);
 std::string renderingSection(const Report& report, const Words& words);

@@ -80,6 +80,13 @@ std::string limitText(const RequirementResult& r, const Words& words) {
   return text;
 }
 
+/// The clause, with what project::RequirementPreset::reference says of its figures in the reader's language.
+std::string clauseText(const std::string& clause, const Words& words) {
+  const std::string doubt = " (figures unconfirmed)";
+  if (!clause.ends_with(doubt)) return clause;
+  return clause.substr(0, clause.size() - doubt.size()) + " (" + words("figures unconfirmed") + ")";
+}
+
 std::string requirementTable(const Report& report, const Words& words) {
   const auto& all = report.results.requirements;
   if (all.empty()) return "";
@@ -93,8 +100,9 @@ std::string requirementTable(const Report& report, const Words& words) {
       continue;
     }
     const std::string unit = limitUnit(r.quantity);
-    const std::string clause =
-        r.clause.empty() ? "" : fmt::format("<br><span class=\"quiet small\">{}</span>", escapedMarkup(r.clause));
+    const std::string clause = r.clause.empty() ? ""
+                                                : fmt::format("<br><span class=\"quiet small\">{}</span>",
+                                                              escapedMarkup(clauseText(r.clause, words)));
     rows +=
         fmt::format("<tr><td>{}{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}{}</td><td>{}</td></tr>\n",
                     escapedMarkup(r.of), clause, words(limitName(r.quantity)), limitText(r, words),
@@ -110,6 +118,16 @@ std::string requirementTable(const Report& report, const Words& words) {
                               words("A requirement is undecided where its limit lies inside the interval "
                                     "of the calculated value: a finer accuracy decides it."))
                 : "");
+}
+
+/// The luminaires with the largest shares of the glare sum.
+std::string largestSources(const project::ObserverResult& observer, const Words& words) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, observer.sources.size()); ++i)
+    text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", observer.sources[i].luminaire,
+                        words.number(100 * observer.sources[i].share, 0));
+  return text.empty() ? "–" : text;
 }
 
 std::string gridTable(const Report& report, const Words& words) {
@@ -131,11 +149,13 @@ std::string gridTable(const Report& report, const Words& words) {
         words("Illuminance"), words("Area"), words("Mean"), words("Minimum"), words("Maximum"), rows);
   rows.clear();
   for (const project::ObserverResult& observer : report.results.observers)
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td></tr>\n", escapedMarkup(observer.name),
-                        words(limitName(observer.quantity)), words.estimate(observer.value, "1"));
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"n\">{}</td></tr>\n",
+                        escapedMarkup(observer.name), words(limitName(observer.quantity)),
+                        escapedMarkup(largestSources(observer, words)), words.estimate(observer.value, "1"));
   if (!rows.empty())
-    html += fmt::format("<h2>{0}</h2><table><tr><th>{0}</th><th>{1}</th><th class=\"n\">{2}</th></tr>\n{3}</table>\n",
-                        words("Observer"), words("Quantity"), words("Value"), rows);
+    html += fmt::format(
+        "<h2>{0}</h2><table><tr><th>{0}</th><th>{1}</th><th>{2}</th><th class=\"n\">{3}</th></tr>\n{4}</table>\n",
+        words("Observer"), words("Quantity"), words("Glares most"), words("Value"), rows);
   return html;
 }
 
@@ -159,6 +179,27 @@ std::string coverSection(const Report& report, const Words& words) {
       escapedMarkup(report.date), escapedMarkup(report.results.programVersion));
 }
 
+std::string contributionSection(const Report& report, const Words& words) {
+  if (report.contributions.empty()) return "";
+  const auto& grids = report.results.grids;
+  std::string head = fmt::format("<th>{}</th><th class=\"n\">{}</th>", words("Group"), words("Level"));
+  for (const GridResult& grid : grids) head += fmt::format("<th class=\"n\">{}</th>", escapedMarkup(grid.name));
+  std::string rows;
+  for (const Contribution& c : report.contributions) {
+    rows +=
+        fmt::format("<tr><td>{}</td><td class=\"n\">{} %</td>", escapedMarkup(c.group), words.number(100 * c.level, 0));
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+      const double share = grids[i].mean.value > 0 ? c.means[i].value / grids[i].mean.value : 0;
+      rows += fmt::format("<td class=\"n\">{} {}<br><span class=\"quiet small\">{} %</span></td>",
+                          words.estimate(c.means[i], grids[i].unit), words.unitName(grids[i].unit),
+                          words.number(100 * share, 0));
+    }
+    rows += "</tr>\n";
+  }
+  return fmt::format("<h2>{}</h2><table><tr>{}</tr>\n{}</table>\n", words("Contribution of each group of luminaires"),
+                     head, rows);
+}
+
 std::string summarySection(const Report& report, const Words& words) {
   std::string html = fmt::format("<section class=\"chapter\"><h1>{}</h1>\n", words("Results at a glance"));
   for (const std::string& remark : report.remarks)
@@ -168,7 +209,7 @@ std::string summarySection(const Report& report, const Words& words) {
                         escapedMarkup(report.results.reachedText));
   if (!report.results.lightingScene.empty())
     html += fmt::format("<p>{}: {}</p>", words("Lighting scene"), escapedMarkup(report.results.lightingScene));
-  html += requirementTable(report, words) + gridTable(report, words);
+  html += requirementTable(report, words) + gridTable(report, words) + contributionSection(report, words);
   html +=
       fmt::format("<p class=\"quiet small\">{}</p></section>\n",
                   words("Every number comes with an interval: the exact answer for the room as it is described lies "

@@ -268,12 +268,9 @@ TEST(Helper, IsEndedWhenItTakesTooLong) {
   EXPECT_EQ(runHelper(sleeper.string(), {}, 0.2).how, ProcessEnd::How::timedOut);
 }
 
-TEST(Vtp, IsReadBackByVtkWithTheSameNumbers) {
-  const TemporaryFolder folder;
-  const project::Results results = sampleResults();
-  writeResultFiles(folder.path().string(), results, sampleOutline());
+void expectReadBackByVtk(const TemporaryFolder& folder, const project::Results& results, const std::string& file) {
   const std::string out = (folder.path() / "back.json").string();
-  const ProcessEnd end = runHelper(helper, {"--read-back", (folder.path() / "work-plane.vtp").string(), out}, 20);
+  const ProcessEnd end = runHelper(helper, {"--read-back", (folder.path() / file).string(), out}, 20);
   ASSERT_EQ(end.code, 0) << end.errors;
   core::Diagnostics diagnostics;
   const core::Value back = core::parseJson(core::readFile(out), out, diagnostics);
@@ -292,6 +289,20 @@ TEST(Vtp, IsReadBackByVtkWithTheSameNumbers) {
     EXPECT_EQ(halfWidths.array()[i].number(), grid.halfWidths[i]);
   }
   EXPECT_EQ(back.find("polygons")->number(), 29 * 19 - 4) << "every square but the four at the excluded point";
+}
+
+TEST(Vtp, IsReadBackByVtkWithTheSameNumbers) {
+  const TemporaryFolder folder;
+  const project::Results results = sampleResults();
+  writeResultFiles(folder.path().string(), results, sampleOutline());
+  expectReadBackByVtk(folder, results, "work-plane.vtp");
+}
+
+TEST(Vtu, IsReadBackByVtkWithTheSameNumbers) {
+  const TemporaryFolder folder;
+  const project::Results results = sampleResults();
+  folder.write("work-plane.vtu", gridVtu(results, results.grids[0]));
+  expectReadBackByVtk(folder, results, "work-plane.vtu");
 }
 
 TEST(Vtp, HoldsTheOutlineAsLines) {

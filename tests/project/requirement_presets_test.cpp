@@ -86,7 +86,21 @@ TEST(RequirementPresets, GiveTheLimitsOfAnOfficeWithTheirClause) {
   EXPECT_EQ(limit(3, "min_lx"), 0.5);
   EXPECT_EQ(limit(3, "ud"), 0.025);  // 40 to 1
   EXPECT_EQ(limit(4, "max_lx"), 100);
+  EXPECT_EQ(project.requirements[3].clause, "EN 1838:2013, 4.3.1, 4.3.2");
   EXPECT_TRUE(project.requirements[4].clause.empty()) << "the project's own limit is no clause of a standard";
+}
+
+TEST(RequirementPresets, SayBesideTheVerdictWhereNothingPublicConfirmsTheirFigures) {
+  const RequirementPreset* drawing = findRequirementPreset("en-12464-1:34.3");
+  ASSERT_NE(drawing, nullptr);
+  EXPECT_EQ(drawing->reference(), "EN 12464-1:2021, table 34, 34.3 (figures unconfirmed)");
+  std::size_t confirmed = 0;
+  for (const RequirementPreset& preset : requirementPresets()) {
+    const bool unconfirmed = preset.reference().ends_with("(figures unconfirmed)");
+    EXPECT_EQ(unconfirmed, preset.comparedWith.empty()) << preset.name;
+    confirmed += unconfirmed ? 0 : 1;
+  }
+  EXPECT_GE(confirmed, 9U);
 }
 
 TEST(RequirementPresets, UnknownNamesAndAreasWithoutALimitAreRefusedAtTheirPlace) {

@@ -50,6 +50,27 @@ TEST(Report, StatesValuesWithIntervalsRequirementsAndWhatIsLeftOut) {
     EXPECT_TRUE(contains(html, part)) << part;
 }
 
+TEST(Report, ShowsWhatEachGroupGivesAndWhoGlares) {
+  Report report = sample();
+  EXPECT_FALSE(contains(htmlOf(report), "Contribution of each group"));
+  // 837.94 of 1117.25 lx are three quarters.
+  report.contributions = {{"ceiling", 0.5, {{837.9375, 5, {}}}}, {"<spots>", 1, {{279.3125, 3, {}}}}};
+  project::ObserverResult observer{"seat", "ugr", {18.2, 0.2, {}}, {}, {}, {}, {}};
+  observer.sources = {{"P[0,1]", 4000, 0.01, 2, 0.6}, {"P[1,1]", 4000, 0.01, 2, 0.4}};
+  report.results.observers.push_back(observer);
+  const std::string html = htmlOf(report);
+  for (const char* part : {"838 ± 5 lx", "75 %", "50 %", "&lt;spots&gt;", "25 %", "P[0,1] 60 %, P[1,1] 40 %"})
+    EXPECT_TRUE(contains(html, part)) << part;
+}
+
+TEST(Report, ShowsTheSpeedChartWhereTheProjectWasStudied) {
+  Report report = sample();
+  EXPECT_FALSE(contains(htmlOf(report), "Speed against accuracy"));
+  report.speedChart = Picture{"work-precision", "image/svg+xml", "<svg/>"};
+  EXPECT_TRUE(contains(htmlOf(report), "Speed against accuracy"));
+  EXPECT_TRUE(contains(htmlOf(report), "data:image/svg+xml;base64,PHN2Zy8+"));
+}
+
 TEST(Report, EscapesNamesInTextAndInStyle) {
   const std::string html = htmlOf(sample());
   EXPECT_TRUE(contains(html, "Room &lt;1&gt; &amp; &quot;two&quot;"));
@@ -66,6 +87,8 @@ TEST(Report, ConvertsToFootcandlesAndGermanNumbers) {
   report.language = Language::german;
   EXPECT_TRUE(contains(htmlOf(report), "103,8 ± 0,7 fc"));
   EXPECT_TRUE(contains(htmlOf(report), "mindestens 46,5 fc"));
+  report.results.requirements[0].clause = "EN 12464-1:2021, 34.3 (figures unconfirmed)";
+  EXPECT_TRUE(contains(htmlOf(report), "EN 12464-1:2021, 34.3 (Zahlen unbestätigt)"));
 }
 
 TEST(Words, GroupsThousandsAndChoosesTheDecimalSign) {

@@ -2,7 +2,7 @@
 // whatever becomes of it, the calculation and its data stay.
 //
 //   goniolux-plot FIGURE.json OUT.png|OUT.svg ...     draws
-//   goniolux-plot --read-back FILE.vtp OUT.json       reads a .vtp with VTK and writes what it found
+//   goniolux-plot --read-back FILE.vtp OUT.json       reads a .vtp or .vtu with VTK and writes what it found
 //
 // Exit: 0 drawn; 2 bad figure or usage; 3 drawing is not possible here (no OpenGL) or a file cannot be written.
 #include <vtkObject.h>

@@ -1,25 +1,49 @@
 #include "plot/vtk/read_back.h"
 
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include "core/diagnostics.h"
 
 namespace goniolux::plot {
 
+namespace {
+
+template <typename Reader>
+void read(Reader& reader, const std::string& file) {
+  if (reader.CanReadFile(file.c_str()) == 0)
+    throw core::InputError({file}, "not-vtp", "VTK does not take this for a .vtp or .vtu file");
+  reader.SetFileName(file.c_str());
+  reader.Update();
+  if (reader.GetErrorCode() != 0) throw core::InputError({file}, "not-vtp", "VTK cannot read this file");
+}
+
+/// How many cells have a type of VTK's.
+double cellsOf(vtkPointSet* data, int type) {
+  double count = 0;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) count += data->GetCellType(i) == type ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
 core::Value readBackVtp(const std::string& file) {
   core::readFile(file);  // says clearly when the file cannot be opened
-  vtkNew<vtkXMLPolyDataReader> reader;
-  if (reader->CanReadFile(file.c_str()) == 0) {
-    throw core::InputError({file}, "not-vtp", "VTK does not take this for a .vtp file");
-  }
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != 0) throw core::InputError({file}, "not-vtp", "VTK cannot read this file");
-  vtkPolyData* data = reader->GetOutput();
+  vtkNew<vtkXMLPolyDataReader> surfaces;
+  vtkNew<vtkXMLUnstructuredGridReader> grids;
+  const bool isGrid = file.ends_with(".vtu");
+  if (isGrid)
+    read(*grids, file);
+  else
+    read(*surfaces, file);
+  vtkPolyData* surface = isGrid ? nullptr : surfaces->GetOutput();
+  vtkPointSet* data = isGrid ? static_cast<vtkPointSet*>(grids->GetOutput()) : surface;
 
   core::Value json;
   core::Value::Array points;
@@ -38,9 +62,9 @@ core::Value readBackVtp(const std::string& file) {
   json.set("arrays", arrays);
   vtkDataArray* scalars = data->GetPointData()->GetScalars();
   json.set("scalars", scalars ? scalars->GetName() : "");
-  json.set("vertices", static_cast<double>(data->GetNumberOfVerts()));
-  json.set("lines", static_cast<double>(data->GetNumberOfLines()));
-  json.set("polygons", static_cast<double>(data->GetNumberOfPolys()));
+  json.set("vertices", surface ? static_cast<double>(surface->GetNumberOfVerts()) : cellsOf(data, VTK_POLY_VERTEX));
+  json.set("lines", surface ? static_cast<double>(surface->GetNumberOfLines()) : cellsOf(data, VTK_POLY_LINE));
+  json.set("polygons", surface ? static_cast<double>(surface->GetNumberOfPolys()) : cellsOf(data, VTK_POLYGON));
   return json;
 }
 
