@@ -185,7 +185,7 @@ void checkFile(const FileName& name) {
   const std::uintmax_t bytes = std::filesystem::file_size(name.path, failure);
   if (bytes == 0) name.refuse("is empty");
   if (bytes > maximumBytes) name.refuse("is larger than 1 GB; decimate the mesh");
-  if (extension == ".ply") checkPlyHeader(name.path, bytes);
+  if (extension == ".ply") checkPly(name.path);
   if (isGltf(name.path)) checkGltf(name.path);
 }
 

@@ -182,6 +182,23 @@ TEST(DamagedModels, PlyHeadersWithWordsThatNobodyKnowsAreRefusedWithTheirLine) {
   EXPECT_NE(refusal(vertices + " face 1\n").find("a.ply:7: \"face\" is no word"), std::string::npos);
   EXPECT_NE(refusal("element vertex 3\nproperty x s\n").find("a.ply:4: a property has a type"), std::string::npos);
   EXPECT_NE(refusal("element vertex 3x\n").find("no count"), std::string::npos);
+  EXPECT_NE(refusal(vertices + "element 1000000000 5\n").find("begins with a letter"), std::string::npos);
+}
+
+// Found by the fuzz target of PLY files: the importer counted the corners.
+TEST(DamagedModels, PlyFacesWithMoreCornersThanTheFileHoldsAreRefusedWithTheirLine) {
+  goniolux::test::TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* face : {"99999999999999999999 0 1 2\n", "-3 0 1 2\n", "three 0 1 2\n", "4 0 1 2\n"}) {
+    try {
+      importMesh(folder.write("a.ply", header + face).string(), 1, false);
+      ADD_FAILURE() << face;
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("a.ply:1"), std::string::npos) << refusal.what();
+    }
+  }
 }
 
 // Found by the fuzz target of glTF files: the importer took the part after the "/" that was not there.
