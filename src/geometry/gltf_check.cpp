@@ -30,6 +30,7 @@ class Check {
     nodes();
     buffers();
     meshes();
+    pictures();
   }
 
  private:
@@ -166,6 +167,18 @@ class Check {
         for (const auto& [name, value] : attributes->object()) index(value, accessors, "accessor");
       }
     }
+  }
+
+  // The importer (assimp 5.2) follows a null pointer where a media type has no "/" (found by fuzzing).
+  void pictures() const {
+    for (const Value& image : list(root_, "images")) {
+      optionalIndex(image, "bufferView", list(root_, "bufferViews").size());
+      const Value* type = image.find("mimeType");
+      if (type && !(type->isString() && type->string().starts_with("image/") && type->string().size() > 6))
+        refuse("the media type of a picture is not image/png or image/jpeg");
+      if (!type && image.find("bufferView")) refuse("a picture within the file has no media type");
+    }
+    for (const Value& texture : list(root_, "textures")) optionalIndex(texture, "source", list(root_, "images").size());
   }
 
   std::string path_;

@@ -1,5 +1,6 @@
 #include "geometry/mesh_import.h"
 
+#include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
@@ -7,9 +8,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -18,6 +17,7 @@
 #include "geometry/arguments.h"
 #include "geometry/gltf_check.h"
 #include "geometry/mesh_checks.h"
+#include "geometry/ply_check.h"
 #include "geometry/triangulate.h"
 
 namespace goniolux::geometry {
@@ -71,7 +71,8 @@ class Collector {
   }
 
   Mesh mesh;
-  std::vector<Label> labels;  ///< by part index
+  std::vector<Label> labels;        ///< by part index
+  std::vector<unsigned> materials;  ///< the scene's, by part index: the first that has the label
 
  private:
   void add(const aiMesh& source, const aiNode& node, const aiMatrix4x4& transform) {
@@ -84,7 +85,7 @@ class Collector {
     if (label.group.empty()) label.group = givenName(source.mName);
     if (label.group == label.material) label.group.clear();
     const auto known = indices_.try_emplace(label, static_cast<std::uint32_t>(labels.size()));
-    if (known.second) labels.push_back(label);
+    if (known.second) labels.push_back(label), materials.push_back(source.mMaterialIndex);
 
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const bool turned = transform.Determinant() < 0;
@@ -172,28 +173,6 @@ void nameParts(const std::vector<Label>& labels, Shape& shape) {
   for (const std::string& name : shape.partNames) shape.partGroups.erase(name);
 }
 
-// The importer (assimp 5.2) reads on for ever in a PLY file that ends within its header, and for minutes in one that
-// promises thousands of millions of elements.
-void checkPlyHeader(const FileName& name, std::uintmax_t bytes) {
-  std::ifstream file(name.path, std::ios::binary);
-  std::string line;
-  for (int number = 1; number < 1000 && std::getline(file, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (number == 1 && line != "ply")
-      throw std::invalid_argument(name.path + ":1: is no PLY file: it does not begin with \"ply\"");
-    if (line.starts_with("element ")) {
-      const double count = std::strtod(line.c_str() + line.find_last_of(" \t"), nullptr);
-      if (!(count >= 0 && count <= double(bytes)))
-        throw std::invalid_argument(
-            fmt::format("{}:{}: promises {} elements, more than a file of {} bytes can hold; "
-                        "export it again",
-                        name.path, number, line.substr(line.find_last_of(" \t") + 1), bytes));
-    }
-    if (line == "end_header" && file.peek() != std::ifstream::traits_type::eof()) return;
-  }
-  name.refuse("ends within its header; export it again");
-}
-
 void checkFile(const FileName& name) {
   static const std::vector<std::string> formats{".obj", ".ply", ".stl", ".gltf", ".glb"};
   const std::string extension = extensionOf(name.path);
@@ -206,7 +185,7 @@ void checkFile(const FileName& name) {
   const std::uintmax_t bytes = std::filesystem::file_size(name.path, failure);
   if (bytes == 0) name.refuse("is empty");
   if (bytes > maximumBytes) name.refuse("is larger than 1 GB; decimate the mesh");
-  if (extension == ".ply") checkPlyHeader(name, bytes);
+  if (extension == ".ply") checkPly(name.path);
   if (isGltf(name.path)) checkGltf(name.path);
 }
 
@@ -224,24 +203,82 @@ Shape make(const core::Arguments& arguments) {
   return importMesh(file, scale->second, up == "y");
 }
 
-}  // namespace
-
-Shape importMesh(const std::string& file, double scale, bool yIsUp) {
-  const FileName name{file};
+const aiScene& readScene(Assimp::Importer& importer, const FileName& name) {
   checkFile(name);
-  Assimp::Importer importer;
   const aiScene* scene = nullptr;
   try {
     // No post-processing: the importer's own steps abort the program (assertions) on damaged faces.
-    scene = importer.ReadFile(file, 0);
+    scene = importer.ReadFile(name.path, 0);
   } catch (const std::exception& error) {
     name.refuse(fmt::format("is damaged ({}); export it again", error.what()));
   }
   if (!scene || !scene->mRootNode)
     name.refuse(fmt::format("is damaged ({}); export it again", importer.GetErrorString()));
+  return *scene;
+}
 
-  Collector collector(*scene, name);
-  collector.visit(*scene->mRootNode, aiMatrix4x4());
+// The picture of one material; one without `file` when it has none.
+MeshPicture pictureOf(const aiScene& scene, const aiMaterial& material, const std::string& model) {
+  MeshPicture picture;
+  aiTextureType type = aiTextureType_BASE_COLOR;
+  aiString path;
+  if (material.GetTexture(type, 0, &path) != AI_SUCCESS) {
+    type = aiTextureType_DIFFUSE;
+    if (material.GetTexture(type, 0, &path) != AI_SUCCESS) return picture;
+  }
+  aiColor4D factor(1, 1, 1, 1);
+  if (isGltf(model) && material.Get(AI_MATKEY_BASE_COLOR, factor) != AI_SUCCESS)
+    material.Get(AI_MATKEY_COLOR_DIFFUSE, factor);
+  if (!isGltf(model)) material.Get(AI_MATKEY_COLOR_DIFFUSE, factor);
+  picture.factor = {factor.r, factor.g, factor.b};
+  aiUVTransform moved;
+  if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), moved) == AI_SUCCESS)
+    picture.isMoved =
+        moved.mTranslation != aiVector2D(0, 0) || moved.mScaling != aiVector2D(1, 1) || moved.mRotation != 0;
+  picture.file = path.C_Str();
+  if (const aiTexture* within = scene.GetEmbeddedTexture(path.C_Str())) {
+    if (within->mHeight != 0 || within->pcData == nullptr) return {};  // bare pixels, of formats that are not read here
+    picture.bytes.assign(reinterpret_cast<const char*>(within->pcData), within->mWidth);
+    picture.extension = std::string(".") + within->achFormatHint;
+    picture.file = fmt::format("{}, picture {}", model, path.C_Str());
+    return picture;
+  }
+  std::replace(picture.file.begin(), picture.file.end(), '\\', '/');
+  picture.extension = extensionOf(picture.file);
+  picture.file = (std::filesystem::path(model).parent_path() / picture.file).string();
+  return picture;
+}
+
+}  // namespace
+
+std::vector<MeshPicture> meshPictures(const std::string& file) {
+  const FileName name{file};
+  Assimp::Importer importer;
+  const aiScene& scene = readScene(importer, name);
+  Collector collector(scene, name);
+  collector.visit(*scene.mRootNode, aiMatrix4x4());
+  Shape named;
+  nameParts(collector.labels, named);
+  std::vector<MeshPicture> pictures;
+  for (std::size_t part = 0; part < named.partNames.size(); ++part) {
+    if (collector.materials[part] >= scene.mNumMaterials) continue;
+    MeshPicture picture = pictureOf(scene, *scene.mMaterials[collector.materials[part]], file);
+    if (picture.file.empty()) continue;
+    const auto known = std::find_if(pictures.begin(), pictures.end(), [&](const MeshPicture& other) {
+      return other.file == picture.file && other.factor == picture.factor && other.isMoved == picture.isMoved;
+    });
+    MeshPicture& used = known == pictures.end() ? pictures.emplace_back(std::move(picture)) : *known;
+    used.parts.push_back(named.partNames[part]);
+  }
+  return pictures;
+}
+
+Shape importMesh(const std::string& file, double scale, bool yIsUp) {
+  const FileName name{file};
+  Assimp::Importer importer;
+  const aiScene& scene = readScene(importer, name);
+  Collector collector(scene, name);
+  collector.visit(*scene.mRootNode, aiMatrix4x4());
   if (collector.mesh.triangles.empty()) name.refuse("holds no triangles");
 
   Shape shape;

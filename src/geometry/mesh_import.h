@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/vector.h"
 #include "geometry/objects.h"
 
 namespace goniolux::geometry {
@@ -15,6 +17,20 @@ namespace goniolux::geometry {
 /// outward. Throws std::invalid_argument with file name and reason: unreadable, unknown format, damaged, coordinates
 /// not finite, no triangles, or more than 20 million of them or 1 GB.
 Shape importMesh(const std::string& file, double scale, bool yIsUp);
+
+/// A picture that gives parts of a mesh their colour: OBJ's map_Kd, glTF's base colour.
+struct MeshPicture {
+  std::vector<std::string> parts;  ///< as importMesh() names them
+  std::string file;                ///< where it is: beside the mesh, or what stands for it in messages
+  std::string bytes;               ///< of a picture within the mesh file; else empty
+  std::string extension;           ///< with its dot, lower case: .png, .jpg, .tif …
+  core::Vec3 factor{1};            ///< linear red, green, blue that its values are to be multiplied by
+  bool isMoved = false;            ///< the file turns, moves or repeats it on the surface, which is not read
+};
+
+/// The pictures of a mesh that importMesh() reads; a picture that several materials share, with the same factor, comes
+/// once. Throws as importMesh() does.
+std::vector<MeshPicture> meshPictures(const std::string& file);
 
 ObjectType meshType();
 

@@ -7,7 +7,8 @@
 
 namespace goniolux::geometry {
 
-/// The triangles in metres, z up; parts as materials ("usemtl"), in their order. Coordinates read back the same.
+/// The triangles in metres, z up; parts as materials ("usemtl"), in their order. Coordinates, also those of textures,
+/// read back the same.
 std::string objText(const Mesh& mesh, const std::vector<std::string>& partNames);
 
 }  // namespace goniolux::geometry

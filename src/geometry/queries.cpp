@@ -4,6 +4,7 @@
 
 #include "geometry/clipped_quadric.h"
 #include "geometry/quadric_intersect.h"
+#include "geometry/surface_points.h"
 
 namespace goniolux::geometry {
 
@@ -16,11 +17,6 @@ namespace {
 
 Vec3 apply(const Mat4& map, const Vec3& point) {
   return Vec3(map * glm::dvec4(point, 1));
-}
-
-// Cofactor matrix: takes a canonical area vector to the mapped one. cof(M) = det(M) M^-T, also where M is singular.
-Mat3 cofactor(const Mat3& m) {
-  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
 constexpr int quadricSteps = 256;

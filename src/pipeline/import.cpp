@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -17,6 +18,7 @@
 #include "geometry/queries.h"
 #include "geometry/radiance_scene.h"
 #include "pipeline/geometry_findings.h"
+#include "pipeline/imported_texture.h"
 #include "pipeline/stages.h"
 #include "pipeline/text_option.h"
 #include "project/project.h"
@@ -98,7 +100,8 @@ class Import {
 
  private:
   // The project's material for a name of the model: as the mapping says, else of the same name, else a new one.
-  std::string materialFor(const std::string& name, double reflectance, const std::string& model = "lambert") {
+  std::string materialFor(const std::string& name, double reflectance, const std::string& model = "lambert",
+                          const ImportedTexture* texture = nullptr) {
     auto mapped = mapping_.find(name);
     if (mapped == mapping_.end() && !known_.contains(name)) mapped = mapping_.find("*");
     if (mapped != mapping_.end()) {
@@ -108,9 +111,13 @@ class Import {
       return mapped->second;
     }
     if (known_.contains(name)) return name;
-    text_->addMember("materials", name,
-                     model == "mirror" ? Value::Object{{"model", "mirror"}, {"reflectance", reflectance}}
-                                       : Value::Object{{"model", "lambert"}, {"diffuse", reflectance}});
+    Value finish = model == "mirror" ? Value::Object{{"model", "mirror"}, {"reflectance", reflectance}}
+                                     : Value::Object{{"model", "lambert"}, {"diffuse", reflectance}};
+    if (texture) {
+      finish.set("diffuse", texture->reflectance);
+      finish.set("texture", texture->texture);
+    }
+    text_->addMember("materials", name, finish);
     known_.insert(name);
     made_.push_back(name);
     return name;
@@ -127,6 +134,44 @@ class Import {
     if (failure) throw core::RunError(fmt::format("{}: {}", path.parent_path().string(), failure.message()));
     core::writeFile(path.string(), bytes);
     report_.files.push_back(path.string());
+  }
+
+  bool isNew(const std::string& material) const {
+    return !mapping_.contains(material) && !known_.contains(material) && !mapping_.contains("*");
+  }
+
+  // Base-colour pictures of parts whose material is new, copied beside the model; by part.
+  std::map<std::string, ImportedTexture> takePictures(const geometry::Shape& shape) {
+    std::map<std::string, ImportedTexture> taken;
+    std::size_t number = 0;
+    for (const geometry::MeshPicture& picture : geometry::meshPictures(model_.string())) {
+      std::vector<std::string> parts;
+      std::copy_if(picture.parts.begin(), picture.parts.end(), std::back_inserter(parts),
+                   [&](const std::string& part) { return isNew(part); });
+      if (parts.empty()) continue;
+      const std::string names = fmt::format("{}", fmt::join(parts, ", "));
+      const auto warn = [&](const std::string& text) {
+        report_.warnings.warning({model_.string(), 0, 0}, "picture", text);
+      };
+      if (shape.mesh.coordinates.empty()) {
+        warn(fmt::format("the picture of {} is left out: the model has no texture coordinates to lay it by", names));
+        continue;
+      }
+      try {
+        const std::string copy = modelFile(fmt::format("-{}{}", number + 1, picture.extension));
+        const ImportedTexture texture = importedTexture(picture, copy);
+        if (!texture.left.empty())
+          warn(fmt::format("{}: the picture is the material's texture{}", names, texture.left));
+        writeModel(copy, texture.bytes);
+        ++number;
+        for (const std::string& part : parts) taken[part] = texture;
+        report_.text += fmt::format("{}: texture {}, mean reflectance {:.2f}\n", names, copy, texture.reflectance);
+      } catch (const core::InputError& error) {
+        warn(fmt::format("the picture of {} is left out: {}: {}", names, picture.file,
+                         error.diagnostics().all().front().message));
+      }
+    }
+    return taken;
   }
 
   void importMesh() {
@@ -152,7 +197,12 @@ class Import {
       if (!up_.empty()) object.set("up", up_);
     }
     Value materials = Value::Object{};
-    for (const std::string& part : shape.partNames) materials.set(part, materialFor(part, unknownReflectance));
+    const std::map<std::string, ImportedTexture> pictures = takePictures(shape);
+    for (const std::string& part : shape.partNames) {
+      const auto picture = pictures.find(part);
+      materials.set(part, materialFor(part, unknownReflectance, "lambert",
+                                      picture == pictures.end() ? nullptr : &picture->second));
+    }
     object.set("materials", std::move(materials));
     text_->appendTo("objects", object);
     const geometry::Bounds box = geometry::bounds(shape);
@@ -279,7 +329,8 @@ Stage importStage() {
       "cup, "
       "ring, with plastic, metal and mirror. The model's materials become the project's by a mapping file or by name; "
       "the "
-      "others are made new and listed. What was not understood is listed with its line.";
+      "others are made new and listed, with their base-colour pictures (OBJ map_Kd, glTF) as textures. What was not "
+      "understood is listed with its line.";
   stage.inputName = "MODEL";
   stage.options = {
       textOption("into", "project", "", "the project that the model is added to", true),

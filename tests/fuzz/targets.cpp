@@ -1,15 +1,22 @@
 #include "fuzz/targets.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
 #include "display/device_model.h"
 #include "display/icc_device.h"
 #include "display/picture_file.h"
+#include "geometry/mesh_import.h"
+#include "geometry/queries.h"
 #include "geometry/radiance_scene.h"
 #include "image/image_file.h"
 #include "image/patch.h"
@@ -148,6 +155,50 @@ Outcome radianceScene(std::string_view bytes) {
   });
 }
 
+// A file of this process that holds the bytes while this lives: the mesh importer reads files.
+class BytesAsFile {
+ public:
+  BytesAsFile(std::string_view bytes, const char* extension)
+      : path_(std::filesystem::temp_directory_path() / ("goniolux-fuzz-" + std::to_string(getpid()) + extension)) {
+    std::ofstream(path_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
+  ~BytesAsFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  BytesAsFile(const BytesAsFile&) = delete;
+  BytesAsFile& operator=(const BytesAsFile&) = delete;
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// The importer takes milliseconds a file, and has its files on a disk.
+constexpr int meshInputs = 2000;
+
+// A mesh that was read has corners that exist, numbers that are finite, an area, and pictures that can be asked for.
+Outcome mesh(std::string_view bytes, const char* extension) {
+  const BytesAsFile file(bytes, extension);
+  try {
+    const geometry::Shape shape = geometry::importMesh(file.path(), 1, false);
+    for (const auto& triangle : shape.mesh.triangles)
+      for (const std::uint32_t corner : triangle)
+        require(corner < shape.mesh.vertices.size(), "a triangle without a vertex");
+    require(shape.mesh.parts.size() == shape.mesh.triangles.size(), "a triangle without a part");
+    require(shape.mesh.coordinates.empty() || shape.mesh.coordinates.size() == shape.mesh.triangles.size(),
+            "a triangle without coordinates");
+    const double area = geometry::area(shape);
+    require(std::isfinite(area) && area > 0, "the area is no number above 0");
+    for (const geometry::MeshPicture& picture : geometry::meshPictures(file.path()))
+      require(!picture.file.empty() && !picture.parts.empty(), "a picture of nothing");
+    return Outcome::read;
+  } catch (const std::invalid_argument& refusal) {
+    require(std::string_view(refusal.what()).size() > 10, "refused without a reason");
+    return Outcome::refused;
+  }
+}
+
 }  // namespace
 
 const std::vector<Target>& targets() {
@@ -167,6 +218,11 @@ const std::vector<Target>& targets() {
       {"jpeg", {".jpg"}, picture<display::decodeJpeg>},
       {"dpx", {".dpx"}, picture<display::decodeDpx>},
       {"radiance", {".rad"}, radianceScene},
+      {"obj", {".obj"}, [](std::string_view bytes) { return mesh(bytes, ".obj"); }, meshInputs},
+      {"ply", {".ply"}, [](std::string_view bytes) { return mesh(bytes, ".ply"); }, meshInputs},
+      {"stl", {".stl"}, [](std::string_view bytes) { return mesh(bytes, ".stl"); }, meshInputs},
+      {"gltf", {".gltf"}, [](std::string_view bytes) { return mesh(bytes, ".gltf"); }, meshInputs},
+      {"glb", {".glb"}, [](std::string_view bytes) { return mesh(bytes, ".glb"); }, meshInputs},
   };
   return list;
 }

@@ -18,6 +18,7 @@ struct Target {
   const char* name;
   std::vector<std::string_view> seedExtensions;  ///< of the files in luminaires/ and materials/ that are its seeds
   Outcome (*run)(std::string_view bytes);
+  int inputs = 8000;  ///< of the bounded run in the test suite
 };
 const std::vector<Target>& targets();
 

@@ -161,6 +161,62 @@ TEST(DamagedModels, PlyFilesThatPromiseMoreElementsThanTheyHoldAreRefusedAtOnce)
   }
 }
 
+// Found by the fuzz target of PLY files: the importer never came back.
+TEST(DamagedModels, PlyHeadersWithWordsThatNobodyKnowsAreRefusedWithTheirLine) {
+  goniolux::test::TemporaryFolder folder;
+  const auto refusal = [&](const std::string& header) -> std::string {
+    try {
+      importMesh(folder
+                     .write("a.ply", "ply\nformat ascii 1.0\n" + header +
+                                         "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+                                         "3 0 1 2\n")
+                     .string(),
+                 1, false);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  EXPECT_EQ(refusal(vertices + "element face 1\n"), "");
+  EXPECT_NE(refusal(vertices + " face 1\n").find("a.ply:7: \"face\" is no word"), std::string::npos);
+  EXPECT_NE(refusal("element vertex 3\nproperty x s\n").find("a.ply:4: a property has a type"), std::string::npos);
+  EXPECT_NE(refusal("element vertex 3x\n").find("no count"), std::string::npos);
+  EXPECT_NE(refusal(vertices + "element 1000000000 5\n").find("begins with a letter"), std::string::npos);
+}
+
+// Found by the fuzz target of PLY files: the importer counted the corners.
+TEST(DamagedModels, PlyFacesWithMoreCornersThanTheFileHoldsAreRefusedWithTheirLine) {
+  goniolux::test::TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* face : {"99999999999999999999 0 1 2\n", "-3 0 1 2\n", "three 0 1 2\n", "4 0 1 2\n"}) {
+    try {
+      importMesh(folder.write("a.ply", header + face).string(), 1, false);
+      ADD_FAILURE() << face;
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("a.ply:1"), std::string::npos) << refusal.what();
+    }
+  }
+}
+
+// Found by the fuzz target of glTF files: the importer took the part after the "/" that was not there.
+TEST(DamagedModels, GltfPicturesWithoutAMediaTypeAreRefused) {
+  goniolux::test::TemporaryFolder folder;
+  for (const char* type : {R"("mimeType":"-0",)", R"("mimeType":"image/",)", R"("mimeType":7,)", ""}) {
+    std::string text = gltf("");
+    text.insert(text.size() - 1,
+                R"(,"images":[{)" + std::string(type) + R"("bufferView":0}],"textures":[{"source":0}])");
+    try {
+      importMesh(folder.write("x.gltf", text).string(), 1, true);
+      ADD_FAILURE() << type;
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("media type"), std::string::npos) << refusal.what();
+    }
+  }
+}
+
 TEST(DamagedModels, GltfNodesInACircleCountsBeyondTheFileAndTwoParentsAreRefused) {
   goniolux::test::TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) -> std::string {

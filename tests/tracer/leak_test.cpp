@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "core/random.h"
 #include "geometry/inside.h"
@@ -75,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Scales, ClosedRoomLeaks,
 
 // Closed shapes of every kind as rooms. Rays go from wall to wall; from every wall one more is aimed at an edge between
 // triangles, a vertex or a rim where patches meet. GONIOLUX_RAYS=1e8 runs the full count (some minutes) and prints the
-// rate.
+// rate; GONIOLUX_ROOMS=revolution only those of a type.
 struct RoomKind {
   const char* type;
   core::Arguments arguments;
@@ -154,7 +155,9 @@ TEST_P(EveryClosedShape, LetsNoRayOutAtAnyScaleAndFarFromTheOrigin) {
   const double total = asked ? std::atof(asked) : 2.2e5;
   const auto rooms = closedRooms();
   const auto raysPerRoom = static_cast<std::uint64_t>(total / double(rooms.size()));
+  const char* only = std::getenv("GONIOLUX_ROOMS");
   for (const RoomKind& kind : rooms) {
+    if (only && std::string(only) != kind.type) continue;
     scene::Environment environment;
     material::Material paint;
     paint.model = "lambert";
