@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/quadric_intersect.h"
+#include "solver/directions.h"
 #include "solver/world_extent.h"
 
 namespace goniolux::solver {
@@ -24,6 +25,8 @@ constexpr std::size_t directionsOfAll = 16384, mostDirections = 8192, fewestDire
 constexpr double smallness = 0.5;
 constexpr double verySmall = 0.1;
 constexpr std::uint32_t elementsOfSmall = 32, elementsOfVerySmall = 16, elementsOfAll = 512;
+constexpr std::size_t mostTargets = 64, mostBeams = 400000;
+constexpr double beamsOfFacet = 2;  // at least, for a mesh to be served
 constexpr double evenShare = 0.25;  // of them go all around, the others towards mirrors and glass
 constexpr int mostSteps = 24;
 constexpr int mostPlainSteps = 3;          // plane mirrors and panes before the first curved mirror or solid glass
@@ -53,13 +56,6 @@ Vec3 spread(const core::Frame& frame, double rim, std::size_t i, std::size_t n) 
   const double z = 1 - (1 - rim) * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
   const double r = std::sqrt(std::max(0.0, 1 - z * z)), angle = golden * static_cast<double>(i);
   return frame.toWorld({r * std::cos(angle), r * std::sin(angle), z});
-}
-
-core::Frame frameAlong(const Vec3& axis) {
-  core::Frame frame;
-  frame.z = axis;
-  core::perpendiculars(axis, frame.x, frame.y);
-  return frame;
 }
 
 /// A system of two equations in the plane across a ray.
@@ -102,10 +98,13 @@ Caustics::Caustics(const scene::World& world, const tracer::Tracer& tracer, cons
     return bsdf.medium() != nullptr || (!bsdf.lobes().straight && lights.planeOf(primitive) == scene::none);
   };
   std::map<std::uint32_t, geometry::Bounds> objects;
+  std::map<std::uint32_t, std::size_t> facets;
   for (std::uint32_t t = 0; t < world.triangles.size(); ++t)
-    if (isTarget(world.triangleSurfaces[t], t))
-      for (const std::uint32_t corner : world.triangles[t])
-        objects[world.surfaces[world.triangleSurfaces[t]].object].add(world.vertices[corner]);
+    if (isTarget(world.triangleSurfaces[t], t)) {
+      const std::uint32_t object = world.surfaces[world.triangleSurfaces[t]].object;
+      mostFacets_ = std::max(mostFacets_, ++facets[object]);
+      for (const std::uint32_t corner : world.triangles[t]) objects[object].add(world.vertices[corner]);
+    }
   for (std::uint32_t p = 0; p < world.patches.size(); ++p)
     if (isTarget(world.patches[p].surface, static_cast<std::uint32_t>(world.triangles.size()) + p))
       objects[world.surfaces[world.patches[p].surface].object].add(geometry::boundsOf(world.patches[p].patch));
@@ -115,23 +114,43 @@ Caustics::Caustics(const scene::World& world, const tracer::Tracer& tracer, cons
   for (const scene::InstancedMesh& mesh : world.instanced) {
     const bool any = std::any_of(mesh.triangleSurfaces.begin(), mesh.triangleSurfaces.end(),
                                  [&](std::uint32_t surface) { return isTarget(surface, scene::none); });
+    if (any) mostFacets_ = std::max(mostFacets_, mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.places.size(); ++i, ++place)
       if (any) targets_.push_back(instances[place]);
   }
   if (targets_.empty()) return;
+  if (targets_.size() > mostTargets) {
+    for (const geometry::Bounds& target : targets_) targets_.front().add(target);
+    targets_.resize(1);
+  }
 
-  for (std::uint32_t i = 0; i < world.emitters.size(); ++i) addElements(i);
+  for (std::uint32_t i = 0; i < world.emitters.size(); ++i) addElements(i, false);
+  if (!resolvesFacets()) {
+    sources_.clear();
+    elements_.clear();
+    isServed_.clear();
+    for (std::uint32_t i = 0; i < world.emitters.size(); ++i) addElements(i, true);
+  }
   if (elements_.empty()) return;
   margin_ = disperses_ ? dispersedNeighbours : neighbours;
   std::uint64_t rays = 0;
-  const std::size_t directions = std::clamp(directionsOfAll / elements_.size(), fewestDirections, mostDirections);
-  for (std::uint32_t element = 0; element < elements_.size(); ++element) sendOut(element, directions, rays);
+  for (std::uint32_t element = 0; element < elements_.size(); ++element) sendOut(element, directionsOfEach(), rays);
   index();
   limitBrightness(accuracy);
 }
 
+std::size_t Caustics::directionsOfEach() const {
+  return std::clamp(directionsOfAll / std::max<std::size_t>(elements_.size(), 1), fewestDirections, mostDirections);
+}
+
+// Every facet of a mesh has light of its own to send; those that no beam meets are not found.
+bool Caustics::resolvesFacets() const {
+  const double each = (1 - evenShare) * static_cast<double>(directionsOfEach()) / static_cast<double>(targets_.size());
+  return each >= beamsOfFacet * static_cast<double>(mostFacets_);
+}
+
 // A source that is small as the mirrors and the glass see it becomes a few points; paths meet a large one.
-void Caustics::addElements(std::uint32_t index) {
+void Caustics::addElements(std::uint32_t index, bool onlyUnseen) {
   const scene::LightSource& source = world_.emitters[index];
   const Vec3 center = source.bounds.center();
   const double radius = 0.5 * glm::length(source.bounds.extent());
@@ -142,7 +161,7 @@ void Caustics::addElements(std::uint32_t index) {
     const Vec3 outside = glm::max(glm::max(target.min - center, center - target.max), Vec3(0));
     nearest = std::min(nearest, std::max(glm::length(outside), 0.25 * glm::length(target.extent())));
   }
-  if (source.hasGeometry && radius > smallness * nearest) return;
+  if (source.hasGeometry && (onlyUnseen || radius > smallness * nearest)) return;
   isServed_.back() = true;
   const bool isPoint = radius <= 1e-9 * world_.radius;
   const std::uint32_t count =
@@ -172,7 +191,7 @@ Caustics::Ray Caustics::leave(const Element& element, const Vec3& direction) con
 void Caustics::sendOut(std::uint32_t element, std::size_t directions, std::uint64_t& rays) {
   const Vec3 center = elements_[element].center, aim = world_.emitters[elements_[element].source].emitter->aim();
   const auto cap = [&](const Vec3& axis, double rim, std::size_t count) {
-    const core::Frame frame = frameAlong(axis);
+    const core::Frame frame = frameAbout(axis);
     const double spacing = std::sqrt(2 * core::pi * (1 - rim) / static_cast<double>(count));
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 direction = spread(frame, rim, i, count);
@@ -217,7 +236,7 @@ void Caustics::follow(std::uint32_t element, const Vec3& start, double spacing, 
     if (!hits || !met.isSpecular) continue;
     const auto count = static_cast<int>(now.steps.size());
     if (now.isPlain && count >= mostPlainSteps) continue;
-    if (count >= mostSteps) {
+    if (count >= mostSteps || beams_.size() >= mostBeams) {
       dropped_ += ray.candela * spacing * spacing *
                   static_cast<double>(*std::max_element(now.filter.begin(), now.filter.end()));
       continue;
@@ -470,6 +489,8 @@ void Caustics::applyFilter(const Arrival& arrival, std::size_t node, float* filt
 
 std::vector<std::string> Caustics::leftOut() const {
   std::vector<std::string> sentences;
+  if (!elements_.empty() && !resolvesFacets())
+    sentences.emplace_back("some light of point and line luminaires by mirrors and glass of many facets");
   if (dropped_ > notableLoss * sent_)
     sentences.emplace_back("light of small luminaires after more than " + std::to_string(mostSteps) +
                            " reflections and refractions in a row");

@@ -98,7 +98,10 @@ class Caustics {
     double candela;
   };
   [[nodiscard]] Ray leave(const Element& element, const core::Vec3& direction) const;
-  void addElements(std::uint32_t source);
+  /// `onlyUnseen`: not what paths can meet.
+  void addElements(std::uint32_t source, bool onlyUnseen);
+  [[nodiscard]] std::size_t directionsOfEach() const;
+  [[nodiscard]] bool resolvesFacets() const;
   void sendOut(std::uint32_t element, std::size_t directions, std::uint64_t& rays);
   void follow(std::uint32_t element, const core::Vec3& start, double spacing, std::uint64_t& rays);
   bool addBeam(std::uint32_t element, const core::Vec3& start, double spacing, const std::vector<SpecularStep>& steps,
@@ -131,6 +134,7 @@ class Caustics {
   bool disperses_ = false;
   double margin_ = 0;  ///< of the spacing: how far from a beam its chain is tried
   std::vector<geometry::Bounds> targets_;
+  std::size_t mostFacets_ = 0;  ///< triangles of one target
   std::vector<Source> sources_;
   std::vector<Element> elements_;
   std::vector<bool> isServed_;  ///< of World::emitters

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/objects.h"
+#include "geometry/tessellate.h"
 #include "scene/world.h"
 #include "solver/solver.h"
 #include "support/mirror_scenes.h"
@@ -30,7 +31,9 @@ material::Material glass() {
 
 /// A room of 2 m with a lamp in it and, between lamp and floor, a ball of radius 0.3 m that meets 2.6 % of the light.
 struct Room {
-  Room(double reflectance, std::optional<material::Material> ofBall, double lampDiameter) : rho(reflectance) {
+  /// `facetsAround`: 0 for an exact ball.
+  Room(double reflectance, std::optional<material::Material> ofBall, double lampDiameter, int facetsAround = 0)
+      : rho(reflectance) {
     scene::Environment environment;
     environment.sourceSpectra = {spectrum::SpectralDistribution::flat(1)};
     environment.materials = {test::flatFinish("lambert", "diffuse", rho)};
@@ -42,6 +45,10 @@ struct Room {
       environment.materials.push_back(*ofBall);
       scene::Object ball;
       ball.shape = geometry::findObjectType("sphere")->make({{"center", Vec3(1.1, 0.9, 0.8)}, {"radius", ballRadius}});
+      if (facetsAround > 0) {
+        ball.shape.mesh = geometry::tessellate(ball.shape, facetsAround);
+        ball.shape.patches.clear();
+      }
       ball.materials.assign(ball.shape.partNames.size(), 1);
       environment.objects.push_back(ball);
     }
@@ -104,6 +111,15 @@ TEST(Caustics, AGlassBallGathersThePointsLightAndLosesNone) {
 
 TEST(Caustics, ALampOf12CentimetresIsServedLikeAPoint) {
   expectNothingLost(mirror, 0.12, 0, 8, 1, 5e-3);
+}
+
+// A ball of 20000 facets has as many small images; rays that are farther apart than those would miss some.
+TEST(Caustics, AMeshOfManyFacetsIsLeftToPathsAndSaidToBe) {
+  const Room fine(0.5, glass(), 0, 100), coarse(0.5, glass(), 0, 8);
+  ASSERT_EQ(fine.solver->leftOut().size(), 1u);
+  EXPECT_NE(fine.solver->leftOut()[0].find("facets"), std::string::npos) << fine.solver->leftOut()[0];
+  EXPECT_TRUE(coarse.solver->leftOut().empty());
+  EXPECT_TRUE(Room(0.5, glass(), 0.12, 100).solver->leftOut().empty());
 }
 
 TEST(Caustics, WhatTheWallsReflectOnHasTheBallsLightInIt) {
