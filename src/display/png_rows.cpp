@@ -62,6 +62,7 @@ Band compressed(const CodeImage& image, int from, int to) {
   stream.avail_out = static_cast<uInt>(band.bytes.size());
   deflate(&stream, to == image.height ? Z_FINISH : Z_SYNC_FLUSH);
   band.bytes.resize(band.bytes.size() - stream.avail_out);
+  band.bytes.shrink_to_fit();
   const bool complete = stream.avail_in == 0;
   deflateEnd(&stream);
   if (!complete) throw core::RunError("the picture cannot be compressed");
