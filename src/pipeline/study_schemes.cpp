@@ -66,6 +66,7 @@ ChoiceResult run(const project::Project& project, core::ProgressSink& progress) 
   chart.title = project.name;
   chart.subtitle =
       fmt::format("View \"{}\", middle row: colour difference from the picture with every nanometre", view.name);
+  chart.facts.emplace_back("mean ΔE00 of all pixels");
   chart.x = {"column of the picture / pixels", false};
   chart.y = {"ΔE00", false};
   const double parts = static_cast<double>(std::size(schemes)) + 1;
@@ -86,7 +87,7 @@ ChoiceResult run(const project::Project& project, core::ProgressSink& progress) 
                            fmt::format("{:.3f}", 100 * difference.luminanceRmse / difference.meanLuminance),
                            fmt::format("{:.3g}", picture.cpu_s)});
     const std::string name = fmt::format("{} {}", scheme.name, scheme.samples);
-    chart.facts.push_back(fmt::format("{}: mean ΔE00 {:.2f}", name, difference.deltaMean));
+    if (scheme.drawn) chart.facts.push_back(fmt::format("{}: {:.2f}", name, difference.deltaMean));
     for (int x = 0; scheme.drawn && x < view.width; ++x)
       addPoint(chart, name, x, static_cast<double>(difference.delta[middle + static_cast<std::size_t>(x)]));
   }

@@ -110,7 +110,7 @@ TEST(StudyOfSchemes, TristimulusProductsDistortAndNineSamplesHardlyDo) {
   EXPECT_GT(mean("rgb"), 2);
   EXPECT_GT(mean("meyer"), 2);
   EXPECT_LT(mean("bins"), 1);
-  EXPECT_LT(mean("adapted"), 0.05);
+  EXPECT_LT(mean("adapted"), 0.2);  // accuracy.colour_de asks for 1
 }
 
 TEST(StudyOfReflectionModels, HasACurveForEachAndOneForPaths) {
