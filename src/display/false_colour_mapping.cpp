@@ -84,11 +84,12 @@ std::string label(double value) {
 }
 
 // A bar of the colours with numbers at its right, and the unit above.
-void drawLegend(Painter& painter, int left, const Scale& scale, const Palette& palette, int size) {
+void drawLegend(Painter& painter, int left, const Scale& scale, const Palette& palette, const std::string& unit,
+                int size) {
   const int height = painter.picture_.height, line = glyphHeight * size;
   const int top = 3 * line, bottom = height - 2 * line, bar = 3 * line;
   if (bottom - top < 4 * line) return;
-  painter.text("cd/m2", left + line, line, size);
+  painter.text(unit, left + line, line, size);
   for (int y = top; y < bottom; ++y) {
     const double at = 1 - (y - top + 0.5) / (bottom - top);
     const core::Vec3 colour = palette.at(scale.place(scale.luminance(at)));
@@ -137,13 +138,13 @@ ToneMap make(const MappingTask& task, const core::Arguments& arguments) {
         painter.set(x, static_cast<int>(y), colours[static_cast<std::size_t>(at * (entries - 1) + 0.5)]);
       }
   });
-  if (legend) drawLegend(painter, image.width, scale, palette, size);
+  if (legend) drawLegend(painter, image.width, scale, palette, textOf(arguments, "unit"), size);
 
   ToneMap map;
   map.curve = std::make_shared<ToneCurve>([](double luminance) { return luminance; });
   map.seen = std::move(painter.picture_);
   map.coloursAreFixed = true;
-  map.method = fmt::format("false colour from {:.4g} to {:.4g} cd/m2, {}", scale.from, scale.to,
+  map.method = fmt::format("false colour from {:.4g} to {:.4g} {}, {}", scale.from, scale.to, textOf(arguments, "unit"),
                            scale.logarithmic ? "logarithmic" : "linear");
   return map;
 }
@@ -159,7 +160,8 @@ MappingType falseColourMapping() {
            mappingText("scale", "linear", "linear or log"),
            mappingText("palette", "false-colour", "false-colour, viridis or grey"),
            mappingNumber("steps", "0", 0, true, "bands of one colour; 0: gradual"),
-           mappingText("legend", "yes", "yes or no")},
+           mappingText("legend", "yes", "yes or no"),
+           mappingText("unit", "cd/m2", "what the legend says, for images of something else than luminance")},
           make};
 }
 

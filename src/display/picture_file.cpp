@@ -16,9 +16,10 @@ PictureFormat pictureFormat(const std::string& path) {
   if (ending == ".tif" || ending == ".tiff") return PictureFormat::tiff;
   if (ending == ".jpg" || ending == ".jpeg") return PictureFormat::jpeg;
   if (ending == ".dpx") return PictureFormat::dpx;
+  if (ending == ".exr") return PictureFormat::exr;
   throw core::InputError(
       {path, 0, 0}, "picture-format",
-      fmt::format("'{}' stands for no picture format; name the output .png, .tif, .jpg or .dpx", ending));
+      fmt::format("'{}' stands for no picture format; name the output .png, .tif, .jpg, .dpx or .exr", ending));
 }
 
 std::vector<int> bitsOf(PictureFormat format) {
@@ -26,6 +27,7 @@ std::vector<int> bitsOf(PictureFormat format) {
     case PictureFormat::png:
       return {8, 16};
     case PictureFormat::tiff:
+    case PictureFormat::exr:
       return {16};
     case PictureFormat::dpx:
       return {10};
@@ -44,6 +46,8 @@ void writePicture(const std::string& path, const CodeImage& image, const Device&
       return core::writeFile(path, encodeJpeg(image, device));
     case PictureFormat::dpx:
       return core::writeFile(path, encodeDpx(image, device));
+    case PictureFormat::exr:
+      return writeExrPicture(path, image, device);
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace goniolux::display {
 
-enum class PictureFormat { png, tiff, jpeg, dpx };
+enum class PictureFormat { png, tiff, jpeg, dpx, exr };
 
 /// The format that a file's ending stands for; core::InputError for endings that are unknown.
 PictureFormat pictureFormat(const std::string& path);
@@ -24,6 +24,10 @@ std::string encodePng(const CodeImage& image, const Device& device);
 std::string encodeTiff(const CodeImage& image, const Device& device);
 std::string encodeJpeg(const CodeImage& image, const Device& device);
 std::string encodeDpx(const CodeImage& image, const Device& device);
+
+/// EXR: not codes but the light that the device gives for 16-bit codes, as linear R, G, B of its primaries (of Rec. 709
+/// for film and ICC profiles), with its luminance of white where that is known.
+void writeExrPicture(const std::string& path, const CodeImage& image, const Device& device);
 
 /// Encodes and writes; an earlier file stays whole until the new one is. core::RunError when it cannot be written.
 void writePicture(const std::string& path, const CodeImage& image, const Device& device);

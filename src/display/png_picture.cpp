@@ -1,19 +1,16 @@
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstddef>
-#include <vector>
 
 #include "core/diagnostics.h"
 #include "display/icc_profile.h"
 #include "display/picture_file.h"
+#include "display/png_rows.h"
 
 namespace goniolux::display {
 namespace {
-
-// Fast compression: pictures of a calculation are noisy, so that thorough search gains a few per cent for several times
-// the time.
-constexpr int compressionLevel = 2;
 
 void append(png_structp png, png_bytep bytes, std::size_t count) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
@@ -50,14 +47,12 @@ ColourSpace colourSpaceOf(const Device& device) {
 
 // The library reports errors by longjmp: everything that needs a destructor is made by the caller, before. False on an
 // error.
-bool encode(png_structp png, png_infop info, const CodeImage& image, const ColourSpace& space,
-            std::vector<png_byte>& row, std::string& bytes) {
+bool encode(png_structp png, png_infop info, const CodeImage& image, const ColourSpace& space, const std::string& rows,
+            std::string& bytes) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_write_fn(png, &bytes, append, flush);
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), image.bits,
                PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, compressionLevel);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   if (space.isSrgb) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
   if (!space.profile.empty())
     png_set_iCCP(png, info, "device", PNG_COMPRESSION_TYPE_BASE,
@@ -68,20 +63,11 @@ bool encode(png_structp png, png_infop info, const CodeImage& image, const Colou
     constexpr png_byte name[5] = {'c', 'I', 'C', 'P', 0}, content[4] = {9, 16, 0, 1};
     png_write_chunk(png, name, content, sizeof(content));
   }
-  const std::size_t values = 3 * static_cast<std::size_t>(image.width);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-    const std::uint16_t* codes = image.rgb.data() + y * values;
-    for (std::size_t i = 0; i < values; ++i) {
-      if (image.bits == 8) {
-        row[i] = static_cast<png_byte>(codes[i]);
-      } else {  // PNG is big-endian
-        row[2 * i] = static_cast<png_byte>(codes[i] >> 8);
-        row[2 * i + 1] = static_cast<png_byte>(codes[i] & 0xFF);
-      }
-    }
-    png_write_row(png, row.data());
-  }
-  png_write_end(png, info);
+  constexpr png_byte data[5] = {'I', 'D', 'A', 'T', 0}, end[5] = {'I', 'E', 'N', 'D', 0};
+  constexpr std::size_t chunk = 1 << 20;
+  for (std::size_t at = 0; at < rows.size(); at += chunk)
+    png_write_chunk(png, data, reinterpret_cast<png_const_bytep>(rows.data()) + at, std::min(chunk, rows.size() - at));
+  png_write_chunk(png, end, nullptr, 0);
   return true;
 }
 
@@ -89,11 +75,12 @@ bool encode(png_structp png, png_infop info, const CodeImage& image, const Colou
 
 std::string encodePng(const CodeImage& image, const Device& device) {
   const ColourSpace space = colourSpaceOf(device);
-  std::vector<png_byte> row(6 * static_cast<std::size_t>(image.width));
+  const std::string rows = compressedRows(image);
   std::string bytes;
+  bytes.reserve(rows.size() + 4096);
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-  const bool done = info != nullptr && encode(png, info, image, space, row, bytes);
+  const bool done = info != nullptr && encode(png, info, image, space, rows, bytes);
   png_destroy_write_struct(&png, &info);
   if (!done) throw core::RunError("the picture cannot be encoded as PNG");
   return bytes;

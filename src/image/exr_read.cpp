@@ -40,6 +40,19 @@ std::optional<double> wavelengthOf(std::string_view channel) {
   return value && *value > 0 && *value < 1e5 ? value : std::nullopt;
 }
 
+// Layers whose X, Y and Z are all there.
+std::vector<Layer> layersOf(const Imf::ChannelList& channels) {
+  std::vector<Layer> layers;
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+    const std::string_view name = channel.name();
+    if (!name.ends_with(".X") || name.size() <= 2) continue;
+    const std::string layer(name.substr(0, name.size() - 2));
+    if (channels.findChannel(layer + ".Y") != nullptr && channels.findChannel(layer + ".Z") != nullptr)
+      layers.push_back({layer, {}, {}, {}, {}});
+  }
+  return layers;
+}
+
 // Whether the image is R, G, B; refuses what is neither that nor X, Y, Z.
 bool isRgb(const Imf::ChannelList& channels, const std::string& path) {
   std::string found;
@@ -81,6 +94,9 @@ void calibrate(XyzImage& image, const Imf::Header& header, bool rgb) {
   if (white == 1) return;
   for (auto* values : {&image.x, &image.y, &image.z, &image.halfWidth})
     for (float& value : *values) value *= white;
+  for (Layer& layer : image.layers)
+    for (auto* values : {&layer.x, &layer.y, &layer.z, &layer.halfWidth})
+      for (float& value : *values) value *= white;
 }
 
 XyzImage decode(std::string_view bytes, const std::string& path) {
@@ -101,7 +117,7 @@ XyzImage decode(std::string_view bytes, const std::string& path) {
   const auto count = static_cast<std::size_t>(width * height);
   const Imf::ChannelList& channels = header.channels();
   for (auto channel = channels.begin(); channel != channels.end(); ++channel)
-    if (const auto wavelength = wavelengthOf(channel.name())) image.spectrum.push_back({*wavelength, {}});
+    if (const auto wavelength = wavelengthOf(channel.name())) image.spectrum.push_back({*wavelength, {}, {}});
   std::sort(image.spectrum.begin(), image.spectrum.end(),
             [](const auto& a, const auto& b) { return a.wavelength_nm < b.wavelength_nm; });
   Imf::FrameBuffer buffer;
@@ -117,7 +133,17 @@ XyzImage decode(std::string_view bytes, const std::string& path) {
   add(halfWidthChannel, image.halfWidth);
   add(chromaticityXChannel, image.chromaticityX);
   add(chromaticityYChannel, image.chromaticityY);
-  for (SpectralChannel& each : image.spectrum) add(spectralChannelName(each.wavelength_nm), each.values);
+  for (SpectralChannel& each : image.spectrum) {
+    add(spectralChannelName(each.wavelength_nm), each.values);
+    add(spectralChannelName(each.wavelength_nm) + halfWidthEnding, each.halfWidth);
+  }
+  image.layers = layersOf(channels);
+  for (Layer& layer : image.layers) {
+    add(layer.name + ".X", layer.x);
+    add(layer.name + ".Y", layer.y);
+    add(layer.name + ".Z", layer.z);
+    add(layer.name + '.' + halfWidthChannel, layer.halfWidth);
+  }
   // Other programs may write a wavelength with fewer digits: a channel that is not found under our name is left out.
   std::erase_if(image.spectrum, [](const SpectralChannel& each) { return each.values.empty(); });
   // Bands of lines are unpacked on all threads, each by a reader of its own; no packing method joins more lines than a

@@ -85,8 +85,16 @@ class Writer {
       add(halfWidthChannel, image_.halfWidth, scale_);
       add(chromaticityXChannel, image_.chromaticityX);
       add(chromaticityYChannel, image_.chromaticityY);
-      for (const SpectralChannel& channel : image_.spectrum)
+      for (const SpectralChannel& channel : image_.spectrum) {
         add(spectralChannelName(channel.wavelength_nm), channel.values);
+        add(spectralChannelName(channel.wavelength_nm) + halfWidthEnding, channel.halfWidth);
+      }
+      for (const Layer& layer : image_.layers) {
+        add(layer.name + ".X", layer.x, scale_);
+        add(layer.name + ".Y", layer.y, scale_);
+        add(layer.name + ".Z", layer.z, scale_);
+        add(layer.name + '.' + halfWidthChannel, layer.halfWidth, scale_);
+      }
     }
     MemoryOutput stream;
     {
@@ -112,6 +120,43 @@ std::string spectralChannelName(double wavelength_nm) {
   std::string number = fmt::format("{:.6f}", wavelength_nm);
   std::replace(number.begin(), number.end(), '.', ',');
   return "S0." + number + "nm";
+}
+
+void writeRgbExr(const std::string& path, const XyzImage& image, const RgbSpace& space, double white_cd_m2) {
+  const glm::mat3 matrix(glm::inverse(xyzFromRgb(space)) / (white_cd_m2 > 0 ? white_cd_m2 : 1));
+  std::vector<float> planes[3];
+  for (auto& plane : planes) plane.resize(image.y.size());
+  for (std::size_t i = 0; i < image.y.size(); ++i) {
+    const glm::vec3 rgb = matrix * glm::vec3(image.x[i], image.y[i], image.z[i]);
+    for (int c = 0; c < 3; ++c) planes[c][i] = rgb[c];
+  }
+  try {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    const auto point = [](const spectrum::Chromaticity& c) {
+      return Imath::V2f(static_cast<float>(c.x), static_cast<float>(c.y));
+    };
+    Imf::addChromaticities(header, {point(space.red), point(space.green), point(space.blue), point(space.white)});
+    if (white_cd_m2 > 0) Imf::addWhiteLuminance(header, static_cast<float>(white_cd_m2));
+    for (const auto& [name, value] : image.attributes) header.insert(name, Imf::StringAttribute(value));
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < 3; ++c) {
+      const char* name = c == 0 ? "R" : c == 1 ? "G" : "B";
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+      buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, planes[c].data(), header.dataWindow()));
+    }
+    MemoryOutput stream;
+    {
+      Imf::OutputFile file(stream, header);
+      file.setFrameBuffer(buffer);
+      file.writePixels(image.height);
+    }
+    core::writeFile(path, stream.bytes());
+  } catch (const core::RunError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw core::RunError(fmt::format("{}: the image cannot be encoded: {}", path, error.what()));
+  }
 }
 
 void writeExr(const std::string& path, const XyzImage& image, ExrForm form) {

@@ -91,7 +91,36 @@ void mixHalfWidths(const std::vector<MixPart>& parts, XyzImage& sum) {
   if (known) sum.attributes[systematicAttribute] = fmt::format("{:.6g}", luminance > 0 ? shares / luminance : 0);
 }
 
+// Half-widths of independent images: in squares, where all have them.
+template <class Plane>
+void addSquares(const std::vector<MixPart>& parts, std::vector<float>& into, const Plane& plane) {
+  const bool known =
+      std::none_of(parts.begin(), parts.end(), [&](const MixPart& part) { return plane(*part.image).empty(); });
+  if (!known) return;
+  into.assign(parts.front().image->y.size(), 0);
+  for (const MixPart& part : parts) {
+    const auto level = static_cast<float>(part.level);
+    if (level == 0) continue;
+    const std::vector<float>& values = plane(*part.image);
+    for (std::size_t i = 0; i < into.size(); ++i) into[i] = std::hypot(into[i], level * values[i]);
+  }
+}
+
 }  // namespace
+
+std::optional<XyzImage> layerOf(const XyzImage& image, const std::string& name) {
+  const auto found =
+      std::find_if(image.layers.begin(), image.layers.end(), [&](const Layer& each) { return each.name == name; });
+  if (found == image.layers.end()) return std::nullopt;
+  XyzImage layer;
+  layer.width = image.width;
+  layer.height = image.height;
+  layer.x = found->x, layer.y = found->y, layer.z = found->z;
+  layer.halfWidth = found->halfWidth;
+  layer.attributes = image.attributes;
+  layer.attributes["layer"] = name;
+  return layer;
+}
 
 XyzImage mixed(const std::vector<MixPart>& parts) {
   assert(!parts.empty());
@@ -119,9 +148,25 @@ XyzImage mixed(const std::vector<MixPart>& parts) {
       return k < part.image->spectrum.size() && part.image->spectrum[k].wavelength_nm == first[k].wavelength_nm;
     });
     if (!shared) break;
-    sum.spectrum.push_back({first[k].wavelength_nm, {}});
+    sum.spectrum.push_back({first[k].wavelength_nm, {}, {}});
     add(sum.spectrum.back().values,
         [k](const XyzImage& i) -> const std::vector<float>& { return i.spectrum[k].values; });
+    addSquares(parts, sum.spectrum.back().halfWidth,
+               [k](const XyzImage& i) -> const std::vector<float>& { return i.spectrum[k].halfWidth; });
+  }
+  for (std::size_t k = 0; k < parts.front().image->layers.size(); ++k) {
+    const std::string& name = parts.front().image->layers[k].name;
+    const bool shared = std::all_of(parts.begin(), parts.end(), [&](const MixPart& part) {
+      return k < part.image->layers.size() && part.image->layers[k].name == name;
+    });
+    if (!shared) break;
+    Layer& layer = sum.layers.emplace_back();
+    layer.name = name;
+    add(layer.x, [k](const XyzImage& i) -> const std::vector<float>& { return i.layers[k].x; });
+    add(layer.y, [k](const XyzImage& i) -> const std::vector<float>& { return i.layers[k].y; });
+    add(layer.z, [k](const XyzImage& i) -> const std::vector<float>& { return i.layers[k].z; });
+    addSquares(parts, layer.halfWidth,
+               [k](const XyzImage& i) -> const std::vector<float>& { return i.layers[k].halfWidth; });
   }
   mixAttributes(parts, sum);
   if (all(parts, [](const XyzImage& i) { return !i.halfWidth.empty(); })) mixHalfWidths(parts, sum);

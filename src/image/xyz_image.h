@@ -11,7 +11,19 @@ namespace goniolux::image {
 struct SpectralChannel {
   double wavelength_nm = 0;
   std::vector<float> values;
+  std::vector<float> halfWidth;  ///< statistical; empty where it is not known
 };
+
+/// A part of the light of every pixel: X, Y, Z as those of the image. The layers of an image add up to it.
+struct Layer {
+  std::string name;
+  std::vector<float> x, y, z;
+  std::vector<float> halfWidth;  ///< statistical, of Y; empty where it is not known
+};
+/// What luminaires and luminous surfaces send to the eye by themselves (also in mirrors and through glass) or by one
+/// reflection from a matt or glossy surface; and what has been reflected by more.
+inline constexpr const char* directLayer = "direct";
+inline constexpr const char* indirectLayer = "indirect";
 
 struct XyzImage {
   int width = 0, height = 0;
@@ -20,6 +32,7 @@ struct XyzImage {
   std::vector<float> chromaticityX;       ///< statistical half-width of the chromaticity x; empty or width * height
   std::vector<float> chromaticityY;       ///< the same of the chromaticity y
   std::vector<SpectralChannel> spectrum;  ///< by ascending wavelength; empty unless asked for
+  std::vector<Layer> layers;              ///< empty unless asked for
   std::map<std::string, std::string> attributes;  ///< how it was made: seed, project hash, settings …
 };
 

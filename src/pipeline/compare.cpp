@@ -1,12 +1,15 @@
 // The stage `compare`: how far two images of one view are apart.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "core/text.h"
 #include "display/adopted_white.h"
+#include "display/display_image.h"
 #include "display/exposure.h"
+#include "display/picture_file.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/image_file.h"
@@ -31,6 +34,21 @@ double whiteLuminance(const StageRequest& request, const image::XyzImage& first)
   return *value;
 }
 
+// CIEDE2000 of every pixel in false colours; the scale ends at what 5 % of the pixels exceed, rounded up.
+void writeDeltaMap(const std::string& path, const image::Comparison& result, int width, int height) {
+  image::XyzImage map;
+  map.width = width;
+  map.height = height;
+  map.x = map.y = map.z = result.delta;
+  const double most = std::max(1.0, std::ceil(result.deltaP95));
+  display::DisplaySettings settings;
+  settings.mapping =
+      display::mappingNamed(fmt::format("false-colour:max={:g},palette=viridis,unit=dE00", std::min(most, 100.0)));
+  settings.bits = display::bitsOf(display::pictureFormat(path)).front();
+  const display::Device srgb = display::readDevice("srgb");
+  display::writePicture(path, display::displayImage(map, srgb, settings).codes, srgb);
+}
+
 StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   if (request.inputs.size() != 2) {
     throw core::InputError({"compare", 0, 0}, "usage", "two images are needed: goniolux compare A.exr B.exr");
@@ -41,6 +59,9 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   if (!output.empty() && core::lowerCase(std::filesystem::path(output).extension().string()) != ".exr") {
     throw core::InputError({output, 0, 0}, "difference-image", "the difference image is an OpenEXR file; name it .exr");
   }
+  const auto asked = request.options.find("map");
+  const std::string map = asked != request.options.end() ? asked->second : "";
+  if (!map.empty()) (void)display::pictureFormat(map);
   progress.progress("reading the images", 0, "");
   const image::XyzImage a = image::readImage(nameA), b = image::readImage(nameB);
   if (a.width != b.width || a.height != b.height) {
@@ -61,6 +82,10 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
     difference.attributes = {{"program", "Goniolux"}, {"difference", nameB + " - " + nameA}};
     image::writeExr(output, difference);
     report.files.push_back(output);
+  }
+  if (!map.empty()) {
+    writeDeltaMap(map, result, a.width, a.height);
+    report.files.push_back(map);
   }
   Value& json = report.json;
   json.set("first", nameA);
@@ -112,7 +137,9 @@ Stage compareStage() {
       "difference, second less first, is written as an image of X, Y, Z.";
   stage.inputName = "IMAGE";
   stage.manyInputs = true;
-  stage.options = {textOption("white", "luminance of CIELAB's white, cd/m2", "",
+  stage.options = {textOption("map", "picture of the colour differences", "",
+                              "CIEDE2000 of every pixel in false colours with a scale: .png, .tif, .jpg", false),
+                   textOption("white", "luminance of CIELAB's white, cd/m2", "",
                               "by default what automatic exposure of the first image shows as white", false)};
   stage.run = run;
   return stage;

@@ -141,6 +141,10 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   if (request.options.contains("inverse")) return inverseReport(request, device);
   const std::string output =
       request.common.output.value_or(std::filesystem::path(input).replace_extension(".png").string());
+  std::error_code ignored;
+  if (std::filesystem::equivalent(input, output, ignored))
+    throw core::InputError({output, 0, 0}, "overwrite",
+                           "the picture would take the place of the calibrated image; give it another name with -o");
   display::DisplaySettings settings;
   settings.bits = bits(request, output);
   settings.mapping = mapping(request);
@@ -225,8 +229,10 @@ Stage displayStage() {
   stage.title = "Turn a calibrated image into a picture for a device";
   stage.help =
       "Reads an image of CIE X, Y, Z in cd/m2 (OpenEXR, Radiance .hdr) and writes a picture for a monitor, a film "
-      "recorder or any device with an ICC profile: PNG, TIFF, JPEG or DPX, as the ending of -o says. Reports what the "
-      "device cannot show, and the device's matrix. With --inverse the way back: a picture (PNG, TIFF, DPX) becomes "
+      "recorder or any device with an ICC profile: PNG, TIFF, JPEG, DPX, or EXR (the light that the device gives), as "
+      "the "
+      "ending of -o says. Reports what the device cannot show, and the device's matrix. With --inverse the way back: a "
+      "picture (PNG, TIFF, JPEG, DPX) becomes "
       "the "
       "X, Y, Z that the device gives for its codes, and a text file with lines 'R G B' or 'R G B X Y Z' (measured) a "
       "table of predictions and colour differences.";
@@ -251,7 +257,8 @@ Stage displayStage() {
       textOption("cat", "chromatic adaptation", "cat16",
                  fmt::format("{}", fmt::join(display::adaptationNames(), ", ")).c_str(), false),
       textOption("gamut", "colours that are too pure", "clip", gamuts.c_str(), false),
-      textOption("bits", "bits per channel", "", "8 or 16 for PNG (8 when not given), 16 TIFF, 8 JPEG, 10 DPX", false),
+      textOption("bits", "bits per channel", "", "8 or 16 for PNG (8 when not given), 16 TIFF and EXR, 8 JPEG, 10 DPX",
+                 false),
       textOption("map", "picture of what cannot be shown", "",
                  "magenta: out of gamut, yellow: too bright, red: both, cyan: too dark", false),
       inverse};

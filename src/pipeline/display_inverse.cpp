@@ -17,7 +17,8 @@ using core::Value;
 
 bool isPicture(const std::string& path) {
   const std::string ending = core::lowerCase(std::filesystem::path(path).extension().string());
-  return ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".dpx";
+  return ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".dpx" || ending == ".jpg" ||
+         ending == ".jpeg";
 }
 
 Value three(double a, double b, double c) {

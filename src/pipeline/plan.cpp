@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "pipeline/engine.h"
+#include "pipeline/render.h"
 #include "pipeline/stages.h"
 #include "viewing/pixel_loop.h"
 
@@ -63,8 +64,7 @@ Forecast forecast(const project::Project& project, const Engine& engine) {
     viewing::ImageEstimate e;
     const double seconds = secondsFor([&] {
       e = viewing::renderView(*engine.solver, view, engine.world.origin, core::mix(2),
-                              {accuracy.image, accuracy.confidence, 0.01, project.settings.pixelMaxSamples}, 5.0,
-                              silent);
+                              pixelAccuracyOf(project.settings), 5.0, silent);
     });
     f.images_s += seconds * pixels / (static_cast<double>(view.width) * view.height);
   }

@@ -71,6 +71,7 @@ void describe(viewing::ImageEstimate& estimate, const project::Project& project,
   attributes[image::systematicAttribute] = fmt::format("{:.6g}", estimate.missed);
   attributes["accuracyAsked"] = fmt::format("{:g} % of the luminance of 95 % of the pixels at {:g} % confidence",
                                             100 * settings.accuracy.image, 100 * settings.accuracy.confidence);
+  attributes["pixelFilter"] = settings.pixelFilter;
   attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);
 }
 
@@ -88,6 +89,7 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
 
   RenderOptions options;
   options.form = imageFormFrom(request, "view.exr").exr;
+  options.parts = request.options.contains("parts");
   if (const auto channels = request.options.find("channels"); channels != request.options.end())
     options.channels = spectralRangeFrom(channels->second);
   const std::string folder = resultsFolder(request, project);
@@ -114,6 +116,17 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
 
 }  // namespace
 
+viewing::PixelAccuracy pixelAccuracyOf(const project::Settings& settings) {
+  viewing::PixelAccuracy asked;
+  asked.relative = settings.accuracy.image;
+  asked.confidence = settings.accuracy.confidence;
+  asked.mostSamples = settings.pixelMaxSamples;
+  asked.fewestSamples = settings.pixelMinSamples;
+  asked.contrast = settings.pixelContrast;
+  asked.filter = viewing::findPixelFilter(settings.pixelFilter);
+  return asked;
+}
+
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
                           const std::string& folder, double secondsLeft, core::ProgressSink& progress,
                           const viewing::ImageObserver& partial, const RenderOptions& options) {
@@ -131,10 +144,15 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
       describe(known, project, engine, view);
       partial(known);
     };
+  viewing::PixelAccuracy asked = pixelAccuracyOf(settings);
+  asked.parts = options.parts;
+  if (options.parts && !engine.solver->partsLight())
+    throw core::InputError({"--parts", 0, 0}, "parts",
+                           fmt::format("the solver '{}' does not part direct and indirect light; use --solver path or "
+                                       "gather",
+                                       engine.plan.solver));
   viewing::ImageEstimate estimate =
-      viewing::renderView(*engine.solver, view, engine.world.origin, key,
-                          {settings.accuracy.image, settings.accuracy.confidence, 0.01, settings.pixelMaxSamples},
-                          secondsLeft, progress, observer);
+      viewing::renderView(*engine.solver, view, engine.world.origin, key, asked, secondsLeft, progress, observer);
 
   describe(estimate, project, engine, view);
 
@@ -217,8 +235,13 @@ Stage renderStage() {
                                       "dimming or --scene; layers that are there already are not traced again",
                                       false);
   layers.kind = core::ParameterKind::boolean;
+  core::Parameter parts = textOption("parts", "direct and indirect light apart", "",
+                                     "layers of the image itself, channels direct.X ... indirect.Z, which add up to "
+                                     "it; also in the layers of groups",
+                                     false);
+  parts.kind = core::ParameterKind::boolean;
   stage.options = {
-      view, layers,
+      view, layers, parts,
       textOption("channels", "spectral channels", "",
                  "FROM:TO:STEP in nm, such as 400:700:10: spectral radiance in W/(m2 sr nm) beside X, Y, Z", false),
       imageFormOption()};

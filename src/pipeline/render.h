@@ -24,8 +24,12 @@ struct RenderedView {
 struct RenderOptions {
   image::ExrForm form = image::ExrForm::float32;
   std::optional<SpectralRange> channels;          ///< spectral channels beside X, Y, Z
+  bool parts = false;                             ///< direct and indirect light as layers
   std::map<std::string, std::string> attributes;  ///< further ones of the image
 };
+
+/// What a project asks of its pictures.
+viewing::PixelAccuracy pixelAccuracyOf(const project::Settings& settings);
 
 /// Renders one view and writes NAME.exr into the folder. `partial` sees the picture as it grows, its attributes set.
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,

@@ -22,8 +22,10 @@ constexpr const char* keyAttribute = "layerKey";
 // Identifies what a layer depends on beside its group and view.
 std::string layerKey(const project::Project& project, const RenderOptions& options) {
   const auto& settings = project.settings;
-  std::string text = groupKey(project) + fmt::format(" {} {} {}", settings.accuracy.image, settings.pixelMaxSamples,
-                                                     static_cast<int>(options.form));
+  std::string text =
+      groupKey(project) + fmt::format(" {} {} {} {} {} {} {}", settings.accuracy.image, settings.pixelMaxSamples,
+                                      settings.pixelMinSamples, settings.pixelContrast, settings.pixelFilter,
+                                      static_cast<int>(options.form), options.parts);
   if (options.channels)
     text += fmt::format(" {} {} {}", options.channels->from_nm, options.channels->to_nm, options.channels->step_nm);
   return core::sha256(text);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/text.h"
+#include "pipeline/render.h"
 #include "spectrum/cie_data.h"
 
 namespace goniolux::pipeline {
@@ -67,7 +68,6 @@ std::vector<image::SpectralChannel> renderSpectrum(const project::Project& proje
                                                    const scene::View& view, std::uint64_t key,
                                                    const SpectralRange& range, core::ProgressSink& progress) {
   const std::vector<double> all = range.wavelengths();
-  const auto& settings = project.settings;
   std::vector<image::SpectralChannel> channels;
   for (std::size_t first = 0; first < all.size() && !progress.cancelled(); first += planes) {
     const std::vector<double> some(all.begin() + static_cast<std::ptrdiff_t>(first),
@@ -76,14 +76,19 @@ std::vector<image::SpectralChannel> renderSpectrum(const project::Project& proje
     const spectrum::SpectralQuadrature quadrature = quadratureFor(engine.world.sourceSpectra, some, range.step_nm);
     const auto solver = solver::findSolverType(engine.plan.solver)
                             ->make({engine.world, engine.tracer, quadrature, engine.plan.accuracy, engine.plan.tree});
-    const viewing::ImageEstimate estimate =
-        viewing::renderView(*solver, view, engine.world.origin, key,
-                            {settings.accuracy.image, settings.accuracy.confidence, 0.01, settings.pixelMaxSamples},
+    viewing::ImageEstimate estimate =
+        viewing::renderView(*solver, view, engine.world.origin, key, pixelAccuracyOf(project.settings),
                             std::numeric_limits<double>::infinity(), progress);
-    const std::vector<float>* values[] = {&estimate.image.x, &estimate.image.y, &estimate.image.z};
+    image::XyzImage& image = estimate.image;
+    std::vector<float>* values[] = {&image.x, &image.y, &image.z};
+    std::vector<float>* halfWidths[] = {&estimate.halfWidthX, &image.halfWidth, &estimate.halfWidthZ};
     for (std::size_t k = 0; k < some.size(); ++k) {
-      channels.push_back({some[k], *values[k]});
-      for (float& value : channels.back().values) value /= static_cast<float>(carried);
+      image::SpectralChannel& channel =
+          channels.emplace_back(some[k], std::move(*values[k]), std::move(*halfWidths[k]));
+      for (std::size_t i = 0; i < channel.values.size(); ++i) {
+        channel.values[i] /= static_cast<float>(carried);
+        channel.halfWidth[i] /= static_cast<float>(carried);
+      }
     }
   }
   return channels;

@@ -5,9 +5,9 @@
 namespace goniolux::pipeline {
 
 const std::vector<ChoiceStudy>& choiceStudies() {
-  static const std::vector<ChoiceStudy> studies{wavelengthStudy(),   treeDepthStudy(),       nearFieldStudy(),
-                                                bounceStudy(),       reflectionModelStudy(), gridSpacingStudy(),
-                                                webResolutionStudy()};
+  static const std::vector<ChoiceStudy> studies{wavelengthStudy(),  schemeStudy(),       treeDepthStudy(),
+                                                nearFieldStudy(),   bounceStudy(),       reflectionModelStudy(),
+                                                gridSpacingStudy(), webResolutionStudy()};
   return studies;
 }
 

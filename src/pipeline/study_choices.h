@@ -35,6 +35,7 @@ ChoiceStudy treeDepthStudy();
 ChoiceStudy nearFieldStudy();
 ChoiceStudy bounceStudy();
 ChoiceStudy reflectionModelStudy();
+ChoiceStudy schemeStudy();
 ChoiceStudy gridSpacingStudy();
 ChoiceStudy webResolutionStudy();
 

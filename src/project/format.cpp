@@ -7,6 +7,7 @@
 #include "reflection/shading.h"
 #include "solver/solver.h"
 #include "spectrum/schemes.h"
+#include "viewing/pixel_filter.h"
 
 namespace goniolux::project {
 namespace {
@@ -34,6 +35,12 @@ Key limitKey(const char* name, const char* help) {
 std::vector<std::string> spectralSchemeNames() {
   std::vector<std::string> names = {"auto"};
   for (const spectrum::SpectralScheme& scheme : spectrum::spectralSchemes()) names.push_back(scheme.name);
+  return names;
+}
+
+std::vector<std::string> pixelFilterNames() {
+  std::vector<std::string> names;
+  for (const viewing::PixelFilter& filter : viewing::pixelFilters()) names.push_back(filter.name);
   return names;
 }
 
@@ -268,9 +275,25 @@ const Section& treeSection() {
 const Section& pixelSection() {
   static const Section section{
       "pixel",
-      {{.name = "min_samples", .form = Form::integer, .help = "default 1", .minimum = 1, .maximum = 1e6},
-       {.name = "max_samples", .form = Form::integer, .help = "default 256", .minimum = 1, .maximum = 1e6},
-       {.name = "contrast", .form = Form::number, .help = "default 0.02", .minimum = 0, .maximum = 1}}};
+      {{.name = "min_samples",
+        .form = Form::integer,
+        .help = "taken of every pixel, and at least 16; default 1",
+        .minimum = 1,
+        .maximum = 1e6},
+       {.name = "max_samples",
+        .form = Form::integer,
+        .help = "at most, whatever is asked; default 256",
+        .minimum = 1,
+        .maximum = 1e6},
+       {.name = "contrast",
+        .form = Form::number,
+        .help = "edges are divided until less is uncertain, as (Lmax - Lmin)/(Lmax + Lmin); 1 = never; default 0.02",
+        .minimum = 0,
+        .maximum = 1},
+       {.name = "filter",
+        .form = Form::choice,
+        .help = "what a pixel is the mean of: its own square (box), or wider with smoother edges; default box",
+        .choices = pixelFilterNames()}}};
   return section;
 }
 

@@ -36,6 +36,7 @@ struct Settings {
   bool treeAdaptive = true;
   int pixelMinSamples = 1, pixelMaxSamples = 256;
   double pixelContrast = 0.02;
+  std::string pixelFilter = "box";
   std::optional<double> timeLimit_s;
   std::uint64_t seed = 1;
 };

@@ -114,6 +114,7 @@ void readPixel(const core::Value& value, Settings& settings, Reading& reading) {
   settings.pixelMinSamples = section.integer("min_samples").value_or(settings.pixelMinSamples);
   settings.pixelMaxSamples = section.integer("max_samples").value_or(settings.pixelMaxSamples);
   settings.pixelContrast = section.number("contrast").value_or(settings.pixelContrast);
+  settings.pixelFilter = section.choice("filter").value_or(settings.pixelFilter);
   if (settings.pixelMinSamples > settings.pixelMaxSamples) {
     reading.error(value, "out-of-range",
                   fmt::format("\"min_samples\" ({}) exceeds \"max_samples\" ({})", settings.pixelMinSamples,
@@ -170,6 +171,7 @@ core::Value settingsDocument(const Settings& settings) {
   pixel.set("min_samples", settings.pixelMinSamples);
   pixel.set("max_samples", settings.pixelMaxSamples);
   pixel.set("contrast", settings.pixelContrast);
+  pixel.set("filter", settings.pixelFilter);
   core::Value document;
   document.set("accuracy", std::move(accuracy));
   document.set("solver", settings.solver);

@@ -162,6 +162,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     if (!meet(path, met, rays) || !weighGuidance(path, met.hit)) return;
     // What lies before the place where the path would have ended is no part of the remainder.
     if (ending != Ending::remainder) addEmitted(sum, path, met.hit);
+    if (path.direct != nullptr) addEmitted(*path.direct, path, met.hit);
     const Vertex at = vertexAt(met.hit, path.direction);
     const core::Frame frame = frameAbout(at.normal);
     const Vec3 out = frame.toLocal(-path.direction);
@@ -186,6 +187,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
       }
     }
     if (met.bsdf->lobes().spread) {
+      path.direct = nullptr;
       if (hasMedia_ && met.bsdf->medium() != nullptr && met.bsdf->medium()->disperses) collapse(path);
       if (addsDirect) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
       path.share = 1 / static_cast<double>(lights_->lights().size());
@@ -205,10 +207,18 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
 }
 
 template <int W>
+PartedLight PathSolver<W>::partedLight(const Vec3& eye, const Vec3& view, std::uint64_t key, std::uint32_t sample) const {
+  PartedLight light;
+  light.whole = radianceBy(ending(), eye, view, key, sample, &light.direct);
+  return light;
+}
+
+template <int W>
 Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& view, std::uint64_t key,
-                                   std::uint32_t sample) const {
+                                   std::uint32_t sample, Response* direct) const {
   const bool whole = ending != Ending::remainder;
   Response sum{};
+  bool isParted = false;  // what is in the sum before paths branch off is direct light
   std::uint64_t rays = 0;
   core::Sampler random(core::combine(key, lightStream), sample);
   Path path{eye, view, Spectral::filled(1)};
@@ -236,6 +246,8 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
     if (hasMedia_ && bsdf.medium() != nullptr && bsdf.medium()->disperses) collapse(path);
     if (whole) addDirect(sum, at, met, out, shading, path, true, random, rays);
     path.share = lightsAreFew_ ? 1 : 1 / static_cast<double>(lights_->lights().size());
+    if (direct != nullptr) *direct = sum;
+    isParted = true;
     // Several indirect paths from here: the eye's ray and the connections to the lights cost more than one of them.
     for (std::uint32_t branch = 0; branch < branches; ++branch) {
       core::Sampler own(core::combine(key, indirectStream), sample * branches + branch);
@@ -248,12 +260,14 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
       }
       Path indirect = path;
       indirect.throughput *= 1.0f / branches;
+      indirect.direct = direct;
       if (goOn(indirect, met, at, frame, start, weight, false, own) &&
           (!bsdf.isLambertian() || shading.isTilted || guide(indirect, at, own)))
         follow(sum, indirect, ending, own, rays);
     }
     break;
   }
+  if (direct != nullptr && !isParted) *direct = sum;
   rays_.fetch_add(rays, std::memory_order_relaxed);
   return sum;
 }

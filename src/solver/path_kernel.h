@@ -68,6 +68,9 @@ class PathSolver : public Solver {
                                           std::uint32_t samples) const override;
   [[nodiscard]] Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
                                   std::uint32_t sample) const override;
+  [[nodiscard]] bool partsLight() const override { return true; }
+  [[nodiscard]] PartedLight partedLight(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
+                                        std::uint32_t sample) const override;
   [[nodiscard]] std::vector<std::string> leftOut() const override;
 
  protected:
@@ -118,10 +121,11 @@ class PathSolver : public Solver {
     double share = 1;        ///< a light's nominal probability of being connected to
     Vec3 seenFrom{0};        ///< the last point, as it appears through those mirrors
     Guidance guidance{};
-    bool isOpen = false;  ///< its last point was connected to the lights in the direction that it goes
-    bool isBent = false;  ///< has met a curved mirror or an interface since
-    bool onSpot = false;  ///< what it has met is a bright spot
-    double white = 0;     ///< it carries every wavelength alike, times this; 0: no longer
+    bool isOpen = false;         ///< its last point was connected to the lights in the direction that it goes
+    bool isBent = false;         ///< has met a curved mirror or an interface since
+    bool onSpot = false;         ///< what it has met is a bright spot
+    double white = 0;            ///< it carries every wavelength alike, times this; 0: no longer
+    Response* direct = nullptr;  ///< gets the emitted light that is met before the next matt or glossy surface, too
   };
   struct Meeting {
     tracer::Hit hit;
@@ -174,7 +178,7 @@ class PathSolver : public Solver {
   Response directLight(const Plan& plan, const Receiver& receiver, std::uint64_t key, std::uint32_t samples,
                        std::uint64_t& rays) const;
   Response radianceBy(Ending ending, const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
-                      std::uint32_t sample) const;
+                      std::uint32_t sample, Response* direct = nullptr) const;
   Response illuminanceBy(Ending ending, const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,
                          std::uint32_t samples) const;
   /// Adds what one path from a receiver brings after reflections, lx.

@@ -33,6 +33,12 @@ class ReceiverPlan {
   Response interreflected{};
 };
 
+/// What arrives along a ray, and the part of it that is direct: emitted light seen by itself, in mirrors or through
+/// glass, or after one reflection from a matt or glossy surface.
+struct PartedLight {
+  Response whole{}, direct{};
+};
+
 /// A figure of a solver's own: "average_tree_depth".
 struct Statistic {
   std::string name;
@@ -52,6 +58,13 @@ class Solver {
   /// same key and samples 0, 1, 2 … are spread evenly over light paths; their mean is one replicate.
   [[nodiscard]] virtual Response radiance(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
                                           std::uint32_t sample) const = 0;
+
+  /// The same with the direct part apart; only by solvers that part them.
+  [[nodiscard]] virtual bool partsLight() const { return false; }
+  [[nodiscard]] virtual PartedLight partedLight(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
+                                            std::uint32_t sample) const {
+    return {radiance(origin, direction, key, sample), {}};
+  }
 
   /// The same without a light solution, where the solver has one: dearer, and unbiased.
   [[nodiscard]] virtual Response wholeIlluminance(const Receiver& receiver, const ReceiverPlan& plan, std::uint64_t key,

@@ -6,23 +6,34 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <span>
-#include <utility>
+#include <vector>
 
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "viewing/pixel_samples.h"
 
 namespace goniolux::viewing {
 namespace {
 
-constexpr std::size_t replicates = 16;
+constexpr std::size_t replicates = PixelSamples::replicates;
 constexpr double shareAsked = 0.95;
 constexpr int tile = 16;
 constexpr std::uint32_t missedPaths = 512;  // per replicate, each of a few branches
 constexpr std::uint64_t missedKey = 0x3155ed;
 constexpr std::size_t fewestReplicates = 2;  // a picture without any interval is not worth keeping
+// The first samples foretell how many a pixel needs as if errors fell with their root; scrambled points do better where
+// the picture is smooth. So only a part is taken at first, and more for all until enough pixels are within.
+constexpr double firstShare = 0.03, shareStep = 1.5, mostShare = 64;
+// A contrast stands out that is this many times the typical one about it, in squares. Of eight replicates' spread that
+// happens by chance to one pixel in 5000 (chi square with 7 degrees of freedom).
+constexpr double standsOut = 4;
+constexpr int surroundings = 2;  // pixels to each side
+
+std::uint32_t perReplicate(int samples) {
+  return static_cast<std::uint32_t>(
+      std::max(1, (samples + static_cast<int>(replicates) - 1) / static_cast<int>(replicates)));
+}
 
 class PixelLoop {
  public:
@@ -33,60 +44,79 @@ class PixelLoop {
         worldOrigin_(worldOrigin),
         key_(key),
         accuracy_(accuracy),
-        quantile_(core::studentQuantile(replicates - 1, accuracy.confidence)),
+        filter_(accuracy.filter != nullptr ? *accuracy.filter : pixelFilters().front()),
+        fewest_(perReplicate(accuracy.fewestSamples)),
+        most_(std::max(fewest_,
+                       static_cast<std::uint32_t>(std::max(1, accuracy.mostSamples / static_cast<int>(replicates))))),
         count_(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height)),
-        sums_(count_),
-        done_(count_, 1),
-        wanted_(count_, 1) {}
+        seen_(count_, fewest_, accuracy.confidence),
+        direct_(accuracy.parts ? count_ : 0, fewest_, accuracy.confidence),
+        wanted_(count_, {fewest_, fewest_}) {}
 
   /// The first samples, one replicate of the whole picture after the other, so that an early end leaves a whole
   /// picture.
   void firstPass(const std::function<bool()>& goOn, const ImageObserver& partial, core::ProgressSink& progress) {
     for (std::size_t r = 0; r < replicates; ++r) {
-      forAllPixels(progress, [&](std::size_t i, int x, int y) { sampleReplicate(i, x, y, r, 0, 1); });
+      forAllPixels(progress, [&](std::size_t i, int x, int y) { sampleReplicate(i, x, y, r, 0, fewest_); });
       if (progress.cancelled()) return;
-      complete_ = r + 1;
+      seen_.setComplete(r + 1);
+      direct_.setComplete(r + 1);
       progress.progress(view_.name, 0.3 * static_cast<double>(r + 1) / replicates, "first samples");
       if (partial && r + 1 < replicates) partial(result());
       if (r + 1 >= fewestReplicates && !goOn()) return;
     }
   }
-  [[nodiscard]] bool firstPassIsComplete() const { return complete_ == replicates; }
+  [[nodiscard]] bool firstPassIsComplete() const { return seen_.complete() == replicates; }
 
   /// Takes every pixel to the samples per replicate that it should have. False when cancelled in the middle.
   bool pass(core::ProgressSink& progress) {
     forAllPixels(progress, [&](std::size_t i, int x, int y) {
-      for (std::size_t r = 0; r < replicates && done_[i] < wanted_[i]; ++r)
-        sampleReplicate(i, x, y, r, done_[i], wanted_[i]);
-      done_[i] = wanted_[i];
+      for (std::size_t r = 0; r < replicates; ++r) {
+        const std::size_t half = PixelSamples::halfOf(r);
+        sampleReplicate(i, x, y, r, seen_.samples(i, half), wanted_[i][half]);
+      }
+      for (std::size_t half = 0; half < PixelSamples::halves; ++half) {
+        seen_.setSamples(i, half, wanted_[i][half]);
+        if (accuracy_.parts) direct_.setSamples(i, half, wanted_[i][half]);
+      }
     });
     return !progress.cancelled();
   }
 
-  /// Doubles the samples of the pixels that are not known well enough; false when there are none or all are at the
-  /// limit.
-  bool refine() {
-    const double mean = meanLuminance();
-    const auto most = static_cast<std::uint32_t>(std::max(1, accuracy_.mostSamples / static_cast<int>(replicates)));
-    bool more = false;
-    std::vector<float> variance(count_);
+  /// How many times the first samples each half of each pixel needs, from the first samples of the other half and of
+  /// the pixels about it. Nothing that is sampled later has a say: where more samples find more spread, that would
+  /// let a value decide about its own weight by way of its neighbours.
+  void foretell() {
+    std::vector<std::array<PixelSamples::Half, 2>> known(count_);
+    std::vector<float> spread(count_);  // of both halves
     for (std::size_t i = 0; i < count_; ++i) {
-      const double h = halfWidth(i);
-      variance[i] = static_cast<float>(h * h);
+      known[i] = {seen_.half(i, 0), seen_.half(i, 1)};
+      spread[i] = static_cast<float>(0.5 * (known[i][0].squaredHalfWidth + known[i][1].squaredHalfWidth));
     }
+    const double mean = meanLuminance();
+    needs_.resize(count_);
     for (int y = 0; y < view_.height; ++y)
-      for (int x = 0; x < view_.width; ++x) {
-        const std::size_t i = index(x, y);
-        if (done_[i] >= most) continue;
-        double sum = 0, pixels = 0;
-        for (int v = std::max(0, y - 1); v <= std::min(view_.height - 1, y + 1); ++v)
-          for (int u = std::max(0, x - 1); u <= std::min(view_.width - 1, x + 1); ++u, ++pixels)
-            sum += variance[index(u, v)];
-        const double allowedHere = allowed(value(i), mean);
-        if (sum / pixels <= allowedHere * allowedHere / 1.2) continue;
-        wanted_[i] = std::min(most, 2 * done_[i]);
-        more = true;
+      for (int x = 0; x < view_.width; ++x)
+        for (std::size_t half = 0; half < PixelSamples::halves; ++half)
+          needs_[index(x, y)][half] = needOf(x, y, known[index(x, y)][1 - half], spread, mean);
+  }
+
+  /// Gives pixels the samples that they need, a pass doubling them at most: `share` of what accuracy was foretold to
+  /// need, and all that contrast does. False when that is done.
+  bool refine(double share) {
+    bool more = false;
+    const std::uint32_t most = std::min(most_, 2 * passed_);
+    for (std::size_t i = 0; i < count_; ++i)
+      for (std::size_t half = 0; half < PixelSamples::halves; ++half) {
+        const Need& need = needs_[i][half];
+        const double times = std::max(share * static_cast<double>(need.accuracy), static_cast<double>(need.contrast));
+        // Powers of two of the first samples: such sets of points are the most even ones.
+        std::uint32_t wanted = fewest_;
+        while (wanted < most && wanted < times * fewest_) wanted *= 2;
+        wanted_[i][half] = std::max(seen_.samples(i, half), std::min(wanted, most));
+        more = more || wanted_[i][half] > seen_.samples(i, half);
       }
+    if (more) passed_ = most;
     return more;
   }
 
@@ -108,13 +138,14 @@ class PixelLoop {
     });
     const core::ReplicateMean mean = core::replicateMean(missed);
     const double luminance = meanLuminance();
-    if (luminance > 0) missed_ = (std::abs(mean.mean) + quantile_ * mean.standardError) / luminance;
+    const double quantile = core::studentQuantile(replicates - 1, accuracy_.confidence);
+    if (luminance > 0) missed_ = (std::abs(mean.mean) + quantile * mean.standardError) / luminance;
   }
 
   [[nodiscard]] double shareWithin() const {
     const double mean = meanLuminance();
     std::size_t within = 0;
-    for (std::size_t i = 0; i < count_; ++i) within += halfWidth(i) <= allowed(value(i), mean);
+    for (std::size_t i = 0; i < count_; ++i) within += halfWidth(i) <= allowed(seen_.luminance(i), mean);
     return static_cast<double>(within) / static_cast<double>(count_);
   }
 
@@ -125,17 +156,21 @@ class PixelLoop {
     image.height = view_.height;
     image.x.resize(count_), image.y.resize(count_), image.z.resize(count_), image.halfWidth.resize(count_);
     image.chromaticityX.resize(count_), image.chromaticityY.resize(count_);
+    e.halfWidthX.resize(count_), e.halfWidthZ.resize(count_);
     for (std::size_t i = 0; i < count_; ++i) {
-      const Colour colour = mean(i);
-      image.x[i] = colour.x;
-      image.y[i] = colour.y;
-      image.z[i] = colour.z;
+      const auto [x, y, z] = seen_.mean(i);
+      image.x[i] = static_cast<float>(x);
+      image.y[i] = static_cast<float>(y);
+      image.z[i] = static_cast<float>(z);
       image.halfWidth[i] = static_cast<float>(halfWidth(i));
-      const auto [hx, hy] = chromaticityHalfWidths(i);
+      e.halfWidthX[i] = static_cast<float>(seen_.halfWidth(i, 0));
+      e.halfWidthZ[i] = static_cast<float>(seen_.halfWidth(i, 2));
+      const auto [hx, hy] = seen_.chromaticityHalfWidths(i);
       image.chromaticityX[i] = static_cast<float>(hx);
       image.chromaticityY[i] = static_cast<float>(hy);
-      e.samples += static_cast<std::uint64_t>(done_[i]) * complete_;
+      e.samples += seen_.samplesOf(i);
     }
+    if (accuracy_.parts) addParts(image);
     e.missed = missed_;
     e.shareWithin = shareWithin();
     e.reached = e.shareWithin >= shareAsked;
@@ -143,12 +178,15 @@ class PixelLoop {
   }
 
  private:
-  struct Colour {
-    float x = 0, y = 0, z = 0;
-  };
-
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(x);
+  }
+  /// Calls `use` for the pixels up to `reach` to each side of a pixel, without it.
+  template <class Use>
+  void aroundOf(int x, int y, int reach, const Use& use) const {
+    for (int v = std::max(0, y - reach); v <= std::min(view_.height - 1, y + reach); ++v)
+      for (int u = std::max(0, x - reach); u <= std::min(view_.width - 1, x + reach); ++u)
+        if (u != x || v != y) use(index(u, v));
   }
 
   void forAllPixels(core::ProgressSink& progress, const std::function<void(std::size_t, int, int)>& work) {
@@ -165,57 +203,81 @@ class PixelLoop {
   void sampleReplicate(std::size_t i, int x, int y, std::size_t r, std::uint32_t from, std::uint32_t to) {
     const std::uint64_t key = core::combine(core::combine(key_, i), r);
     for (std::uint32_t s = from; s < to; ++s) {
-      const core::Vec2 place = core::Sampler(key, s).next2();
-      const scene::ViewRay ray = scene::rayThrough(view_, x + place.x, y + place.y);
-      if (!ray.inside) continue;
-      const solver::Response seen = solver_.radiance(ray.origin - worldOrigin_, ray.direction, key, s);
-      sums_[i][r].x += static_cast<float>(seen[0]);
-      sums_[i][r].y += static_cast<float>(seen[1]);
-      sums_[i][r].z += static_cast<float>(seen[2]);
+      const core::Vec2 u = core::Sampler(key, s).next2();
+      look(i, r, core::Vec2(x + 0.5, y + 0.5) + filter_.positive(u), key, s, filter_.gain());
+      // The same random numbers: where both see the same, their noise is the same too and cancels.
+      if (filter_.hasLobes())
+        look(i, r, core::Vec2(x + 0.5, y + 0.5) + filter_.negative(u), key, s, 1 - filter_.gain());
     }
+  }
+  void look(std::size_t i, std::size_t r, core::Vec2 place, std::uint64_t key, std::uint32_t sample, double factor) {
+    const scene::ViewRay ray = scene::rayThrough(view_, place.x, place.y);
+    if (!ray.inside) return;
+    if (!accuracy_.parts) {
+      seen_.add(i, r, solver_.radiance(ray.origin - worldOrigin_, ray.direction, key, sample), factor);
+      return;
+    }
+    const solver::PartedLight light = solver_.partedLight(ray.origin - worldOrigin_, ray.direction, key, sample);
+    seen_.add(i, r, light.whole, factor);
+    direct_.add(i, r, light.direct, factor);
   }
 
-  [[nodiscard]] Colour mean(std::size_t i) const {
-    Colour sum;
-    for (std::size_t r = 0; r < complete_; ++r) sum.x += sums_[i][r].x, sum.y += sums_[i][r].y, sum.z += sums_[i][r].z;
-    const float n = static_cast<float>(std::max<std::size_t>(1, complete_)) * static_cast<float>(done_[i]);
-    return {sum.x / n, sum.y / n, sum.z / n};
-  }
-  [[nodiscard]] double value(std::size_t i) const { return static_cast<double>(mean(i).y); }
-  [[nodiscard]] double halfWidth(std::size_t i) const {
-    if (complete_ < 2) return std::numeric_limits<double>::infinity();  // one replicate says nothing about its error
-    std::array<double, replicates> means{};
-    for (std::size_t r = 0; r < complete_; ++r) means[r] = static_cast<double>(sums_[i][r].y) / done_[i];
-    return quantile() * core::replicateMean(std::span(means).first(complete_)).standardError + missed_ * value(i);
-  }
-  // x = X / S, S = X + Y + Z: to first order dx = (dX - x dS) / S, so that what X, Y and Z err together cancels.
-  [[nodiscard]] std::pair<double, double> chromaticityHalfWidths(std::size_t i) const {
-    if (complete_ < 2) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    const Colour colour = mean(i);
-    const double S = static_cast<double>(colour.x) + static_cast<double>(colour.y) + static_cast<double>(colour.z);
-    if (!(S > 0)) return {0, 0};
-    const double x = static_cast<double>(colour.x) / S, y = static_cast<double>(colour.y) / S;
-    std::array<double, replicates> dx{}, dy{};
-    for (std::size_t r = 0; r < complete_; ++r) {
-      const double X = static_cast<double>(sums_[i][r].x) / done_[i], Y = static_cast<double>(sums_[i][r].y) / done_[i];
-      const double sum = X + Y + static_cast<double>(sums_[i][r].z) / done_[i];
-      dx[r] = (X - x * sum) / S;
-      dy[r] = (Y - y * sum) / S;
-    }
-    return {quantile() * core::replicateMean(std::span(dx).first(complete_)).standardError,
-            quantile() * core::replicateMean(std::span(dy).first(complete_)).standardError};
-  }
-  [[nodiscard]] double quantile() const {
-    return complete_ == replicates ? quantile_
-                                   : core::studentQuantile(static_cast<double>(complete_) - 1, accuracy_.confidence);
-  }
+  [[nodiscard]] double halfWidth(std::size_t i) const { return seen_.halfWidth(i, 1) + missed_ * seen_.luminance(i); }
   [[nodiscard]] double meanLuminance() const {
     double sum = 0;
-    for (std::size_t i = 0; i < count_; ++i) sum += value(i);
+    for (std::size_t i = 0; i < count_; ++i) sum += seen_.luminance(i);
     return sum / static_cast<double>(count_);
   }
+  /// Pixels much darker than the picture need not be known to the same share.
+  [[nodiscard]] static double reference(double luminance, double mean) { return std::max(luminance, 0.1 * mean); }
   [[nodiscard]] double allowed(double luminance, double mean) const {
-    return std::max(accuracy_.relative * std::max(luminance, 0.1 * mean), accuracy_.absoluteFloor);
+    return std::max(accuracy_.relative * reference(luminance, mean), accuracy_.absoluteFloor);
+  }
+
+  struct Need {
+    float accuracy = 0, contrast = 0;  // times the first samples; 0: no more
+  };
+  [[nodiscard]] Need needOf(int x, int y, const PixelSamples::Half& other, const std::vector<float>& spread,
+                            double mean) const {
+    // Pooled over 3 x 3 pixels, this pixel's being that of its other half.
+    double pooled = other.squaredHalfWidth, pixels = 1;
+    aroundOf(x, y, 1, [&](std::size_t i) { pooled += static_cast<double>(spread[i]), ++pixels; });
+    pooled /= pixels;
+    // The systematic part takes its share of what is allowed; more samples do nothing about it.
+    const double here = allowed(other.luminance, mean);
+    const double limit = std::max(0.3 * here, here - missed_ * other.luminance);
+    Need need;
+    need.accuracy = static_cast<float>(pooled / (limit * limit));
+    const double visible = std::max(2 * accuracy_.contrast * reference(other.luminance, mean), accuracy_.absoluteFloor);
+    const double largest = std::max(pooled, other.squaredHalfWidth);
+    if (accuracy_.contrast < 1 && largest > visible * visible && largest > standsOut * typicalSpread(x, y, spread))
+      need.contrast = static_cast<float>(largest / (visible * visible));
+    return need;
+  }
+  /// The median of the squared half-widths about a pixel.
+  [[nodiscard]] double typicalSpread(int x, int y, const std::vector<float>& spread) const {
+    std::array<float, (2 * surroundings + 1) * (2 * surroundings + 1)> about{};
+    std::size_t count = 0;
+    aroundOf(x, y, surroundings, [&](std::size_t i) { about[count++] = spread[i]; });
+    const auto middle = about.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(about.begin(), middle,
+                     about.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, count)));
+    return static_cast<double>(*middle);
+  }
+
+  void addParts(image::XyzImage& image) const {
+    image::Layer direct{image::directLayer, {}, {}, {}, {}}, indirect{image::indirectLayer, {}, {}, {}, {}};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto [x, y, z] = direct_.mean(i);
+      const std::array<float, 3> part{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+      direct.x.push_back(part[0]), direct.y.push_back(part[1]), direct.z.push_back(part[2]);
+      indirect.x.push_back(image.x[i] - part[0]);
+      indirect.y.push_back(image.y[i] - part[1]);
+      indirect.z.push_back(image.z[i] - part[2]);
+      direct.halfWidth.push_back(static_cast<float>(direct_.halfWidth(i, 1)));
+      indirect.halfWidth.push_back(static_cast<float>(seen_.halfWidthBeyond(direct_, i)));
+    }
+    image.layers = {std::move(direct), std::move(indirect)};
   }
 
   const solver::Solver& solver_;
@@ -223,12 +285,14 @@ class PixelLoop {
   core::Vec3 worldOrigin_;
   std::uint64_t key_;
   PixelAccuracy accuracy_;
-  double quantile_;
+  FilterPlaces filter_;
+  std::uint32_t fewest_, most_;  // samples per replicate
   std::size_t count_;
-  std::vector<std::array<Colour, replicates>> sums_;  // over the samples of each replicate
-  std::vector<std::uint32_t> done_, wanted_;          // samples per replicate
-  double missed_ = 0;                                 // relative
-  std::size_t complete_ = 0;                          // replicates that every pixel has
+  PixelSamples seen_, direct_;                        // direct_: empty unless asked for
+  std::vector<std::array<std::uint32_t, 2>> wanted_;  // samples per replicate of each half
+  std::vector<std::array<Need, 2>> needs_;
+  std::uint32_t passed_ = fewest_;  // no pixel has more
+  double missed_ = 0;               // relative
 };
 
 }  // namespace
@@ -244,14 +308,19 @@ ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, 
   loop.firstPass([&] { return elapsed() < secondsLeft; }, partial, progress);
   bool more = loop.firstPassIsComplete();
   if (more) loop.findMissed(progress);
+  if (more) loop.foretell();
+  double part = 0;  // contrast comes first; it may be enough
   while (more && elapsed() < secondsLeft) {
+    if (loop.refine(part)) {
+      more = loop.pass(progress);
+      if (more && partial) partial(loop.result());
+      continue;
+    }
     const double share = loop.shareWithin();
     progress.progress(view.name, std::min(0.95, share),
                       fmt::format("pixels within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * share));
-    if (share >= shareAsked) break;
-    if (partial) partial(loop.result());
-    if (!loop.refine()) break;
-    more = loop.pass(progress);
+    if (share >= shareAsked || part > mostShare) break;
+    part = std::max(firstShare, part * shareStep);
   }
   ImageEstimate estimate = loop.result();
   progress.progress(view.name, 1,

@@ -1,9 +1,12 @@
 // The pixel loop: an image of a view, each pixel sampled until its luminance is known to the accuracy asked for.
 //
-// Every pixel is 16 independent replicates of scrambled points over its area and its light paths. All start with the
-// same few samples; then those pixels whose neighbourhood is not yet known well enough double theirs, up to the limit,
-// until 95 % of the pixels are within the accuracy asked for. Decisions fall between passes, from spreads pooled over 3
-// x 3 pixels.
+// Every pixel is 16 independent replicates of scrambled points over the filter's area and its light paths
+// (pixel_samples.h). All start with the same few samples, which foretell how many each pixel needs, up to the limit,
+// - for its neighbourhood to be known well enough: a growing part of that, until 95 % of the pixels are within the
+//   accuracy asked for;
+// - where the samples' contrast stands out from the surroundings, so at the edges of luminaires and other things, until
+//   what the pixel may be off is no visible contrast.
+// Decisions fall between passes, for each half of a pixel's replicates from the other half's first samples.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +17,7 @@
 #include "image/xyz_image.h"
 #include "scene/view.h"
 #include "solver/solver.h"
+#include "viewing/pixel_filter.h"
 
 namespace goniolux::viewing {
 
@@ -22,10 +26,17 @@ struct PixelAccuracy {
   double confidence = 0.95;
   double absoluteFloor = 0.01;  ///< cd/m2
   int mostSamples = 256;        ///< per pixel
+  int fewestSamples = 1;        ///< per pixel; at least one a replicate are taken
+  /// Where the samples' contrast stands out, pixels are divided until their half-width is a contrast below this,
+  /// (Lmax - Lmin)/(Lmax + Lmin); 1: nowhere.
+  double contrast = 0.02;
+  const PixelFilter* filter = nullptr;  ///< nothing: box
+  bool parts = false;                   ///< direct and indirect light as layers too; the solver must part them
 };
 
 struct ImageEstimate {
-  image::XyzImage image;  ///< with half-widths
+  image::XyzImage image;                      ///< with half-widths
+  std::vector<float> halfWidthX, halfWidthZ;  ///< statistical, as image.halfWidth is of Y
   double shareWithin = 0;
   double missed = 0;  ///< bound of what a light solution misses, of the mean luminance; in the half-widths
   bool reached = false;

@@ -94,6 +94,18 @@ INSTANTIATE_TEST_SUITE_P(Every, ForeignTool,
                                            Case{"video.dpx", 10, "rec709"}),
                          nameOf);
 
+// EXR pictures are linear light: OpenEXR's own tool finds the primaries and the white.
+TEST(ForeignTools, ExrheaderReadsPrimariesAndWhite) {
+  if (!has("exrheader")) GTEST_SKIP() << "exrheader (openexr) is not installed";
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "picture.exr").string();
+  writePicture(path, ramp(16), readDevice("srgb"));
+  const auto outcome = test::Running({"exrheader", path}).wait();
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  for (const char* expected : {"R, 32-bit floating-point", "red   (0.64 0.33)", "whiteLuminance"})
+    EXPECT_NE(outcome.out.find(expected), std::string::npos) << expected << " is not in\n" << outcome.out;
+}
+
 // tificc, of Little CMS, turns a TIFF of ours into sRGB through the profile that it carries.
 TEST(ForeignTools, TificcUsesTheProfileOfATiff) {
   if (!has("tificc")) GTEST_SKIP() << "tificc (liblcms2-utils) is not installed";

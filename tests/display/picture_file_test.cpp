@@ -162,11 +162,12 @@ TEST(PictureFile, ProfileDependsOnTheDeviceAlone) {
 }
 
 TEST(PictureFile, OtherEndingsAreRefused) {
-  for (const char* path : {"a.gif", "a.exr", "a", ""}) EXPECT_THROW(pictureFormat(path), core::InputError) << path;
+  for (const char* path : {"a.gif", "a.exe", "a", ""}) EXPECT_THROW(pictureFormat(path), core::InputError) << path;
   EXPECT_EQ(pictureFormat("A.PNG"), PictureFormat::png);
   EXPECT_EQ(pictureFormat("b.tiff"), PictureFormat::tiff);
   EXPECT_EQ(pictureFormat("c.JPEG"), PictureFormat::jpeg);
   EXPECT_EQ(pictureFormat("d.dpx"), PictureFormat::dpx);
+  EXPECT_EQ(pictureFormat("e.exr"), PictureFormat::exr);
 }
 
 TEST(PictureFile, FailureLeavesTheEarlierFile) {

@@ -115,6 +115,26 @@ TEST(DisplayStage, EveryMappingAndEveryDeviceGivesAPicture) {
   }
 }
 
+// EXR: the light of the monitor, as R, G, B of its primaries; read back it is what the way back from codes gives.
+TEST(DisplayStage, ExrIsTheLightOfTheMonitor) {
+  const test::TemporaryFolder folder;
+  writeTestImage(folder.path() / "view.exr");
+  const auto wanted = image::readExr((folder.path() / "view.exr").string());
+  for (const char* device : {"srgb", "studio-monitor-1985", "film-slide"}) {
+    runDisplay(folder.path() / "view.exr", folder.path() / "shown.exr", {{"device", device}, {"mapping", "none"}});
+    const auto shown = image::readExr((folder.path() / "shown.exr").string());
+    EXPECT_FALSE(shown.attributes.contains(image::unitsAttribute) &&
+                 shown.attributes.at(image::unitsAttribute) == "relative")
+        << device;
+    for (const std::size_t i : {1U, 3U}) {  // 11 and 31 cd/m2
+      EXPECT_NEAR(shown.y[i], wanted.y[i], 0.005F * wanted.y[i]) << device;
+      EXPECT_NEAR(shown.x[i], wanted.x[i], 0.005F * wanted.x[i]) << device;
+      EXPECT_NEAR(shown.z[i], wanted.z[i], 0.005F * wanted.z[i]) << device;
+    }
+    EXPECT_LT(shown.y[30], 130) << device << " has no more";
+  }
+}
+
 // The way back: what the picture shows is what was asked for, within the rounding of ten bits.
 TEST(DisplayStage, InverseGivesTheLightOfThePicture) {
   const test::TemporaryFolder folder;

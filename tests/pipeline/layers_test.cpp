@@ -122,8 +122,42 @@ TEST(SpectralChannels, AreTheLampsSpectrumInAbsoluteUnits) {
     const double mean = a.integral(channel.wavelength_nm - 25, channel.wavelength_nm + 25) / 50;
     const double expected = closedForm(4000, 0) * mean / luminous;
     EXPECT_NEAR(channel.values[9], expected, 0.002 * expected) << channel.wavelength_nm;
+    ASSERT_EQ(channel.halfWidth.size(), channel.values.size());
+    EXPECT_LT(channel.halfWidth[9], 0.001 * expected) << "a card without noise";
   }
   EXPECT_THROW(called(renderStage, {project}, {{"channels", "400:700"}}, folder.path().string()), core::InputError);
+}
+
+// Direct and indirect light as layers of the image and of its groups: they add up, and are mixed apart.
+TEST(Layers, OfDirectAndIndirectLightAreMixedApart) {
+  const test::TemporaryFolder folder;
+  const std::string wall = R"(, "wall": { "model": "lambert", "diffuse": 0.8 })";
+  std::string text = card("1", "0.5", wall.c_str());
+  // A wall beside the card, which lights it.
+  const std::string mark = "\"objects\": [";
+  text.insert(
+      text.find(mark) + mark.size(),
+      R"( { "name": "wall", "shape": "rectangle", "origin": [0.06,-1,0], "u": [0,2,0], "v": [0,0,2], "material": "wall" },)");
+  const std::string project = folder.write("p/project.json", text).string();
+  const auto out = folder.path() / "out";
+  called(renderStage, {project}, {{"parts", "true"}, {"layers", "true"}}, out.string());
+  const std::string file = (out / "card.exr").string();
+  const image::XyzImage image = image::readExr(file);
+  ASSERT_EQ(image.layers.size(), 2U);
+  EXPECT_EQ(image.layers[0].name, "direct");
+  EXPECT_EQ(image.layers[1].name, "indirect");
+  for (std::size_t i = 0; i < 24; ++i) {
+    EXPECT_NEAR(image.layers[0].y[i], closedForm(4000 + 0.5 * 2000, 0), 0.01 * closedForm(5000, 0));
+    EXPECT_GT(image.layers[1].y[i], 0.01F * image.y[i]);
+    EXPECT_NEAR(image.layers[0].y[i] + image.layers[1].y[i], image.y[i], 1e-4F * image.y[i]);
+  }
+  const std::string half = (folder.path() / "half.exr").string();
+  called(mixStage, {file + ":direct", file + ":indirect=0.5"}, {}, half);
+  const image::XyzImage mixed = image::readExr(half);
+  EXPECT_NEAR(mixed.y[7], image.layers[0].y[7] + 0.5F * image.layers[1].y[7], 1e-4F * image.y[7]);
+  EXPECT_GT(mixed.halfWidth[7], 0);
+  EXPECT_THROW(called(mixStage, {file + ":ambient"}, {}, half), core::InputError);
+  EXPECT_EQ(image::readExr((out / "layers/warm/card.exr").string()).layers.size(), 2U);
 }
 
 TEST(MixStage, WritesOtherForms) {

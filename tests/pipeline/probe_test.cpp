@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "display/picture_file.h"
 #include "image/exr.h"
 #include "pipeline/stages.h"
 #include "support/temporary_folder.h"
@@ -65,6 +66,18 @@ TEST(CompareStage, GivesDifferencesAndTheirImage) {
   EXPECT_GT(delta->find("mean")->number(), 0.1);
   EXPECT_LT(delta->find("max")->number(), 0.5);
   EXPECT_NEAR(image::readExr(difference).y[7], 1, 1e-5);
+}
+
+TEST(CompareStage, DrawsAMapOfColourDifferences) {
+  const test::TemporaryFolder folder;
+  const std::string a = imageFile(folder, "a.exr", 100), b = imageFile(folder, "b.exr", 120);
+  const std::string map = (folder.path() / "map.png").string();
+  const auto report = called(compareStage, {a, b}, {{"map", map}});
+  EXPECT_EQ(report.files, std::vector<std::string>{map});
+  const display::CodeImage picture = display::readPicture(map);
+  EXPECT_GT(picture.width, image::readExr(a).width) << "the scale stands beside it";
+  EXPECT_EQ(picture.rgb[0], picture.rgb[3]) << "one difference everywhere, one colour";
+  EXPECT_THROW(called(compareStage, {a, b}, {{"map", "map.gif"}}), core::InputError);
 }
 
 TEST(CompareStage, ImagesOfDifferentSizeAreRefused) {

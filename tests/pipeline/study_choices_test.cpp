@@ -93,6 +93,26 @@ TEST(StudyOfWavelengths, FindsTheAdaptedOnesBestInAColouredRoom) {
   EXPECT_LT(adapted, paper);
 }
 
+// The paper's Figure 8, small: tristimulus products distort what is seen through both filters, nine samples hardly, as
+// many as the scene needs not at all.
+TEST(StudyOfSchemes, TristimulusProductsDistortAndNineSamplesHardlyDo) {
+  project::Project filters = project::readProject(GONIOLUX_SOURCE_DIR "/projects/figure-8/project.json");
+  filters.views.front().width = 24;
+  filters.views.front().height = 16;
+  const ChoiceResult result = run("schemes", filters);
+  EXPECT_EQ(result.chart.curves.size(), 6u);
+  for (const auto& curve : result.chart.curves) EXPECT_EQ(curve.points.size(), 24u) << curve.name;
+  const auto mean = [&](const std::string& scheme) {
+    for (const auto& row : result.rows)
+      if (row[0] == scheme) return std::stod(row[2]);
+    return std::nan("");
+  };
+  EXPECT_GT(mean("rgb"), 2);
+  EXPECT_GT(mean("meyer"), 2);
+  EXPECT_LT(mean("bins"), 1);
+  EXPECT_LT(mean("adapted"), 0.2);  // accuracy.colour_de asks for 1
+}
+
 TEST(StudyOfReflectionModels, HasACurveForEachAndOneForPaths) {
   const ChoiceResult result = run("reflection-model", cube(0.5, panel));
   EXPECT_EQ(result.chart.curves.size(), 5u);

@@ -48,7 +48,7 @@ TEST(View, FisheyesFollowTheirProjection) {
 }
 
 // A closed room that emits M and reflects rho everywhere is a furnace: every pixel has luminance M / (pi (1 - rho)).
-TEST(PixelLoop, FurnaceHasTheSameLuminanceEverywhere) {
+scene::World furnace() {
   scene::Environment environment;
   material::Material glow;
   glow.name = "glow", glow.model = "lambert";
@@ -59,15 +59,24 @@ TEST(PixelLoop, FurnaceHasTheSameLuminanceEverywhere) {
   room.shape = geometry::findObjectType("box")->make({{"min", Vec3(0)}, {"max", Vec3(4, 3, 2.5)}});
   room.materials.assign(room.shape.partNames.size(), 0);
   environment.objects = {room};
-  const scene::World world = scene::buildWorld(environment);
-  const tracer::Tracer tracer(world);
-  const auto quadrature = spectrum::flatQuadrature(world.sourceSpectra);
-  const auto solver = solver::findSolverType("path")->make({world, tracer, quadrature});
+  return scene::buildWorld(environment);
+}
+
+View inTheFurnace() {
   View view;
   view.name = "furnace";
   view.eye = {1, 1, 1};
   view.target = {3, 2, 1.2};
   view.width = 24, view.height = 16;
+  return view;
+}
+
+TEST(PixelLoop, FurnaceHasTheSameLuminanceEverywhere) {
+  const scene::World world = furnace();
+  const tracer::Tracer tracer(world);
+  const auto quadrature = spectrum::flatQuadrature(world.sourceSpectra);
+  const auto solver = solver::findSolverType("path")->make({world, tracer, quadrature});
+  const View view = inTheFurnace();
   core::SilentProgress silent;
   const ImageEstimate e = renderView(*solver, view, world.origin, 3, {0.03, 0.95, 0.01, 512}, 1e9, silent);
   const double expected = 100 / (core::pi * 0.5);
@@ -83,6 +92,39 @@ TEST(PixelLoop, FurnaceHasTheSameLuminanceEverywhere) {
   EXPECT_NEAR(sum, expected, 2 * meanHalfWidth);
   EXPECT_LT(meanHalfWidth, 0.01 * expected);
   EXPECT_GE(inside, 345);  // of 384 pixels, 95 % = 365 expected; 90 % is 4 standard deviations off
+}
+
+// Direct light of the furnace: M / pi by itself and rho M / pi by one reflection; the rest of M / (pi (1 - rho)) by
+// more.
+TEST(PixelLoop, DirectAndIndirectLightOfAFurnaceAreParted) {
+  const scene::World world = furnace();
+  const tracer::Tracer tracer(world);
+  const auto quadrature = spectrum::flatQuadrature(world.sourceSpectra);
+  for (const char* name : {"path", "gather"}) {
+    const auto solver = solver::findSolverType(name)->make({world, tracer, quadrature});
+    ASSERT_TRUE(solver->partsLight());
+    PixelAccuracy accuracy;
+    accuracy.relative = 0.03;
+    accuracy.parts = true;
+    core::SilentProgress silent;
+    const ImageEstimate e = renderView(*solver, inTheFurnace(), world.origin, 3, accuracy, 1e9, silent);
+    ASSERT_EQ(e.image.layers.size(), 2U);
+    const double once = 100 / core::pi;
+    const double expected[] = {once * 1.5, once * 0.5};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const image::Layer& layer = e.image.layers[k];
+      double sum = 0, variance = 0;
+      const auto count = static_cast<double>(layer.y.size());
+      for (std::size_t i = 0; i < layer.y.size(); ++i) {
+        sum += static_cast<double>(layer.y[i]) / count;
+        variance += std::pow(static_cast<double>(layer.halfWidth[i]), 2);
+      }
+      const double missed = e.missed * expected[0] * 2;
+      EXPECT_NEAR(sum, expected[k], 2 * std::sqrt(variance) / count + missed + 1e-4) << name << " " << layer.name;
+    }
+    for (std::size_t i = 0; i < e.image.y.size(); ++i)
+      EXPECT_NEAR(e.image.layers[0].y[i] + e.image.layers[1].y[i], e.image.y[i], 1e-4F * e.image.y[i]);
+  }
 }
 
 }  // namespace

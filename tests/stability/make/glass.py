@@ -78,9 +78,7 @@ def light_guide():
 
 def overlap():
     case = Case(24, "glass-in-water", "Glass that overlaps the water about it",
-                "The index is multiplied twice, or a gap of air makes the reflection 16 times as large.", says=GLASS,
-                open_defects={solver: ("wide", "pictures stop short of the accuracy asked where reflections are left to chance, "
-                                       "whatever number of samples is allowed") for solver in ("auto", "path", "gather")})
+                "The index is multiplied twice, or a gap of air makes the reflection 16 times as large.", says=GLASS)
 
     def stack(*indices):
         through, back = 1.0, 0.0  # of the interfaces so far, symmetric
