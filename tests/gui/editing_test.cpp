@@ -84,7 +84,8 @@ TEST_F(Editing, ObjectsAndLuminairesAreMovedAndTurnedByMouse) {
       R"({ "format": "goniolux-project", "version": 1, "materials": { "m": { "model": "lambert", "diffuse": 0.5 } },
   "objects": [
     { "name": "room", "shape": "box", "min": [0,0,0], "max": [6,4,3], "facing": "inward", "material": "m" },
-    { "name": "desk", "shape": "box", "min": [2,1,0], "max": [3.6,1.8,0.75], "material": "m" } ],
+    { "name": "desk", "shape": "box", "min": [2,1,0], "max": [3.6,1.8,0.75], "material": "m" },
+    { "name": "shelf", "shape": "box", "min": [0.3,3.2,0], "max": [0.9,3.8,1], "material": "m" } ],
   "luminaires": [ { "name": "L", "photometry": "cosine", "flux": 3000, "position": [4.5,3,2.9],
                     "shape": { "rectangle": { "length": 1.2, "width": 0.3 } } } ],
   "grids": [ { "name": "g", "origin": [0,0,0.8], "u": [6,0,0], "v": [0,4,0], "counts": [6,4] } ] })");
@@ -124,13 +125,13 @@ TEST_F(Editing, ObjectsAndLuminairesAreMovedAndTurnedByMouse) {
   EXPECT_NEAR(number("/objects/1/transform/0/rotate/center/0"), center.x, 1e-6);
   ASSERT_TRUE(waitForCheck());
   EXPECT_TRUE(window_->checker().latest()->project) << "the engine accepts what was written";
-  // Ctrl-click takes the luminaire along; both move in one step of undo.
-  QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, view.toWidget({4.5, 3, 2.9}));
+  // Ctrl-click takes the shelf along; both move in one step of undo.
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, view.toWidget({0.6, 3.5, 1}));
   ASSERT_EQ(view.selection().size(), 2u);
-  pull({4.5, 3, 2.9}, {4.2, 3, 2.9}, Qt::NoModifier);
-  EXPECT_NEAR(number("/luminaires/0/position/0"), 4.2, 0.05);
-  EXPECT_EQ(number("/luminaires/0/position/2"), 2.9);
-  EXPECT_NEAR(number("/objects/1/transform/1/translate/0"), number("/luminaires/0/position/0") - 4.5, 1e-6);
+  pull({0.6, 3.5, 1}, {0.9, 3.3, 1}, Qt::NoModifier);
+  EXPECT_NEAR(number("/objects/2/min/0"), 0.6, 0.05);
+  EXPECT_NEAR(number("/objects/2/min/1"), 3.0, 0.05);
+  EXPECT_NEAR(number("/objects/1/transform/1/translate/0"), number("/objects/2/min/0") - 0.3, 1e-6);
   ASSERT_TRUE(waitForCheck());
   screenshot("moved-and-turned");
   for (int k = 0; k < 3; ++k) window_->document().undoStack().undo();
