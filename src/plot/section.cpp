@@ -52,7 +52,7 @@ LineChart sectionOf(const PlanMap& map, const std::vector<double>& halfWidths, c
   const GridField value(grid.nu, grid.nv, map.values);
   const GridField least(grid.nu, grid.nv, hasIntervals ? low : map.values);
   const GridField most(grid.nu, grid.nv, hasIntervals ? high : map.values);
-  ChartCurve middle{map.legendTitle}, lower{"lower end of the interval"}, upper{"upper end"};
+  ChartCurve middle{map.legendTitle}, lower{"lower end"}, upper{"upper end"};
   double smallest = INFINITY, largest = -INFINITY;
   for (int i = 0; i <= samplesOfSection; ++i) {
     const double share = static_cast<double>(i) / samplesOfSection;
