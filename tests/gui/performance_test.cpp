@@ -106,8 +106,8 @@ TEST_F(Performance, ALargeProjectTurnsSmoothly) {
   mouse(QEvent::MouseButtonRelease, QPoint(600, 600));
   ASSERT_TRUE(wait([&] { return view.isDrawn(); }));
   std::printf(
-      "turning at 1280 x 800: %.1f pictures a second; %.1f ms of CPU time each (all threads), %.1f a second on a "
-      "machine of its own at the least\n"
+      "turning at 1280 x 800: %.1f pictures a second; %.1f ms of CPU time each (all threads), %.1f a second if "
+      "that were all\n"
       "longest pause: %.0f ms turning, %.0f ms while the details come in, which takes %.0f ms\n",
       1 / wall, 1e3 * cpu, 1 / cpu, turning, watchdog.longest(), static_cast<double>(clock.elapsed()));
   EXPECT_GT(1 / cpu, 8) << "CPU time counts, so that other programs do not; 20 is the goal, and tests may share caches";
