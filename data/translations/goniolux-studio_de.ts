@@ -17,6 +17,12 @@
  <message><source>Left out:</source><translation>Weggelassen:</translation></message>
  <message><source>: at most %1 %2</source><translation>: höchstens %1 %2</translation></message>
  <message><source>Because:</source><translation>Weil:</translation></message>
+ <message><source>Work–precision chart</source><translation>Aufwand-Genauigkeit-Diagramm</translation></message>
+ <message><source>Calculates the project by every solver at several accuracies, against a long reference: what accuracy costs here. Again, it goes on where it ended.</source><translation>Berechnet das Projekt mit jedem Löser in mehreren Genauigkeiten gegen eine lange Vergleichsrechnung: was Genauigkeit hier kostet. Noch einmal gedrückt, geht es weiter.</translation></message>
+ <message><source>Time for the chart</source><translation>Zeit für das Diagramm</translation></message>
+ <message><source>What accuracy costs in this project appears here.</source><translation>Hier steht, was Genauigkeit in diesem Projekt kostet.</translation></message>
+ <message><source>Left out, and why</source><translation>Weggelassen, und warum</translation></message>
+ <message><source>Work–precision</source><translation>Aufwand–Genauigkeit</translation></message>
 </context>
 <context>
  <name>goniolux::gui::Document</name>
@@ -187,6 +193,17 @@
  <message><source>Folder for the project</source><translation>Ordner für das Projekt</translation></message>
  <message><source>Unsaved changes</source><translation>Ungespeicherte Änderungen</translation></message>
  <message><source>“%1” has changes that are not saved. Save them?</source><translation>„%1“ hat Änderungen, die nicht gespeichert sind. Speichern?</translation></message>
+ <message><source>Cu&amp;t</source><translation>&amp;Ausschneiden</translation></message>
+ <message><source>&amp;Copy</source><translation>&amp;Kopieren</translation></message>
+ <message><source>&amp;Paste</source><translation>&amp;Einfügen</translation></message>
+ <message><source>Report as PDF or HTML …</source><translation>Bericht als PDF oder HTML …</translation></message>
+ <message><source>Report</source><translation>Bericht</translation></message>
+ <message><source>PDF document (*.pdf);;Web page (*.html)</source><translation>PDF-Dokument (*.pdf);;Webseite (*.html)</translation></message>
+ <message><source>&amp;Documentation</source><translation>&amp;Dokumentation</translation></message>
+ <message><source>The documentation cannot be opened</source><translation>Die Dokumentation lässt sich nicht öffnen</translation></message>
+ <message><source>No program is set for it, or it is not installed; it is the folder docs of Goniolux.</source><translation>Dafür ist kein Programm bestimmt, oder sie ist nicht installiert; sie ist der Ordner docs von Goniolux.</translation></message>
+ <message><source>Move</source><translation>Verschieben</translation></message>
+ <message><source>Turn</source><translation>Drehen</translation></message>
 </context>
 <context>
  <name>goniolux::gui::NewRoomDialog</name>
@@ -240,6 +257,16 @@
  <message><source>in bands</source><translation>in Stufen</translation></message>
  <message><source>smooth</source><translation>fließend</translation></message>
  <message><source>Export this plot …</source><translation>Diesen Plan ausgeben …</translation></message>
+ <message><source>Draw a line in the plan with the mouse to see the values along it.</source><translation>Ziehen Sie mit der Maus eine Linie im Plan, um die Werte entlang ihr zu sehen.</translation></message>
+ <message><source>Press Calculate to see how the values are spread.</source><translation>Drücken Sie Berechnen, um zu sehen, wie die Werte verteilt sind.</translation></message>
+ <message><source>Value</source><translation>Wert</translation></message>
+ <message><source>Half-width</source><translation>Halbe Breite</translation></message>
+ <message><source>Section</source><translation>Schnitt</translation></message>
+ <message><source>Histogram</source><translation>Häufigkeit</translation></message>
+ <message><source>Values</source><translation>Werte</translation></message>
+ <message><source>The line does not cross the grid.</source><translation>Die Linie schneidet das Raster nicht.</translation></message>
+ <message><source>not counted</source><translation>nicht gezählt</translation></message>
+ <message><source>%1 more</source><translation>%1 weitere</translation></message>
 </context>
 <context>
  <name>goniolux::gui::PlanView</name>
@@ -270,11 +297,14 @@
  <message><source>Requirements</source><translation>Anforderungen</translation></message>
  <message><source>Settings</source><translation>Einstellungen</translation></message>
  <message><source>Add %1</source><translation>%1 hinzufügen</translation></message>
- <message><source>Duplicate %1</source><translation>%1 verdoppeln</translation></message>
+ <message numerus="yes"><source>Duplicate %n entries</source><translation><numerusform>%n Eintrag verdoppeln</numerusform><numerusform>%n Einträge verdoppeln</numerusform></translation></message>
+ <message numerus="yes"><source>Paste %n entries</source><translation><numerusform>%n Eintrag einfügen</numerusform><numerusform>%n Einträge einfügen</numerusform></translation></message>
  <message numerus="yes"><source>Remove %n entries</source><translation><numerusform>%n Eintrag entfernen</numerusform><numerusform>%n Einträge entfernen</numerusform></translation></message>
  <message><source>Add</source><translation>Hinzufügen</translation></message>
  <message><source>Duplicate</source><translation>Verdoppeln</translation></message>
  <message><source>Remove</source><translation>Entfernen</translation></message>
+ <message><source>Copy</source><translation>Kopieren</translation></message>
+ <message><source>Paste</source><translation>Einfügen</translation></message>
 </context>
 <context>
  <name>goniolux::gui::PropertyPanel</name>
@@ -333,6 +363,8 @@
  <message><source>measuring: click the second point</source><translation>Messen: klicken Sie den zweiten Punkt an</translation></message>
  <message><source>distance %1 m (x %2, y %3, z %4)</source><translation>Abstand %1 m (x %2, y %3, z %4)</translation></message>
  <message><source>3-D view of the room</source><translation>3-D-Ansicht des Raumes</translation></message>
+ <message><source>by x %1 m, y %2 m, z %3 m</source><translation>um x %1 m, y %2 m, z %3 m</translation></message>
+ <message><source>turned by %1°</source><translation>um %1° gedreht</translation></message>
 </context>
 <context>
  <name>goniolux::gui::SpectrumPage</name>
@@ -343,6 +375,8 @@
  <message><source>Melanopic DER</source><translation>Melanopischer Tageslichtwirkfaktor</translation></message>
  <message><source>S/P ratio</source><translation>S/P-Verhältnis</translation></message>
  <message><source>Lines</source><translation>Linien</translation></message>
+ <message><source>A ball of this finish in the chosen light, rendered</source><translation>Eine Kugel aus diesem Material im gewählten Licht, gerechnet</translation></message>
+ <message><source>Ball of the finish</source><translation>Materialkugel</translation></message>
 </context>
 <context>
  <name>goniolux::gui::StartPage</name>

@@ -4,12 +4,17 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QStandardPaths>
 #include <QTabWidget>
+#include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "app/gui/document/json_pointer.h"
 #include "app/gui/forms/property_panel.h"
+#include "app/gui/plots/paper.h"
 #include "app/gui/window/jobs_panel.h"
 #include "app/gui/window/luminaire_page.h"
 #include "app/gui/window/new_room_dialog.h"
@@ -20,6 +25,7 @@
 #include "app/gui/window/room_page.h"
 #include "app/gui/window/spectrum_page.h"
 #include "gui/studio_fixture.h"
+#include "gui/watchdog.h"
 #include "image/image_file.h"
 #include "image/patch.h"
 #include "support/shared_folder.h"
@@ -51,6 +57,38 @@ class DesignersDay : public StudioFixture {
     ASSERT_TRUE(waitForJobs());
   }
 
+  /// A manufacturer's file of a rectangular luminaire from the corpus, else one that Goniolux brings along.
+  QString importARealFile() {
+    const auto shared = sharedFolder();
+    const std::filesystem::path real =
+        shared ? *shared / "corpus/photometry/ldt/Plukers+real-time-photometric-area-lights/LINETIK-S_42184482.LDT"
+               : "";
+    std::error_code ignored;
+    return window_->importPhotometry(shared && std::filesystem::exists(real, ignored)
+                                         ? QString::fromStdString(real.string())
+                                         : QString(GONIOLUX_SOURCE_DIR) + "/luminaires/batten-t8.ldt");
+  }
+
+  void enter(const QString& key, const QString& part, const QString& words) {
+    gui::Field* field = window_->properties().field(key);
+    ASSERT_NE(field, nullptr) << key.toStdString();
+    auto* line = field->findChild<QLineEdit*>(part.isEmpty() ? QString() : part);
+    ASSERT_NE(line, nullptr) << key.toStdString();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, words);
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+
+  /// The longest time for which the interface did not answer since the last step; the worst is kept.
+  void step(const char* name) {
+    std::printf("  %-28s interface away for %4.0f ms at most\n", name, watchdog_->longest());
+    worst_ = std::max(worst_, watchdog_->longest());
+    watchdog_->forget();
+  }
+  std::unique_ptr<Watchdog> watchdog_;
+  double worst_ = 0;
+
   void calculate() {
     ASSERT_TRUE(wait([this] { return !window_->jobs().isBusy(); }));
     ASSERT_NE(window_->calculate(), nullptr);
@@ -73,70 +111,98 @@ class DesignersDay : public StudioFixture {
 };
 
 TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
+  watchdog_ = std::make_unique<Watchdog>();
   makeRoom();
   gui::Document& document = window_->document();
   ASSERT_TRUE(window_->checker().latest()->project);
   screenshot("day-2-room");
+  step("new room");
 
-  // A real photometric file comes in, where the corpus is at hand; else one of the program's own stays.
-  QString photometry = "panel-600.ies";
-  if (const auto shared = sharedFolder()) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(*shared / "corpus"))
-      if (entry.path().extension() == ".ies" || entry.path().extension() == ".IES") {
-        photometry = window_->importPhotometry(QString::fromStdString(entry.path().string()));
-        break;
-      }
-    ASSERT_FALSE(photometry.isEmpty());
-  }
+  // A real photometric file comes in, where the corpus is at hand; else one of the program's own.
+  const QString photometry = importARealFile();
+  ASSERT_FALSE(photometry.isEmpty());
   window_->luminairePage().showFile(photometry);
   window_->pages().setCurrentIndex(3);
   ASSERT_TRUE(wait([this] { return !window_->luminairePage().sheetText().isEmpty(); }));
   QTest::qWait(600);
   screenshot("day-3-luminaire");
+  step("luminaire imported");
 
-  // The array takes it, with a lamp spectrum, by the form.
-  window_->luminairePage().showFile("panel-600.ies");
+  // The array takes it, in another layout and with a lamp spectrum, by the form.
   window_->tree().select("/luminaires/0");
-  gui::Field* spectrum = window_->properties().field("spectrum");
-  ASSERT_NE(spectrum, nullptr);
-  auto* line = spectrum->findChild<QLineEdit*>();
-  line->setFocus();
-  QTest::keyClicks(line, "CIE LED-B3");
-  QTest::keyClick(line, Qt::Key_Return);
+  window_->replacePhotometry(photometry, false);
+  EXPECT_EQ(document.find("/luminaires/0/photometry")->string(), photometry.toStdString());
+  const double across = number("/luminaires/0/array/counts/1");
+  enter("array/counts", "counts 0", "2");
+  enter("array/u", "u 0", "3");
+  enter("position", "position 0", "1.5");
+  EXPECT_EQ(number("/luminaires/0/array/counts/0"), 2);
+  EXPECT_EQ(number("/luminaires/0/array/counts/1"), across);
+  enter("spectrum", "", "CIE LED-B3");
   EXPECT_EQ(document.find("/luminaires/0/spectrum")->string(), "CIE LED-B3");
   // A wall gets another finish.
   window_->tree().select("/materials/walls");
-  line = window_->properties().field("diffuse")->findChild<QLineEdit*>();
-  line->selectAll();
-  QTest::keyClicks(line, "beech.spd");
-  QTest::keyClick(line, Qt::Key_Return);
+  enter("diffuse", "", "beech.spd");
   ASSERT_TRUE(waitForCheck());
   ASSERT_TRUE(window_->checker().latest()->project) << "the engine accepts what was entered";
   window_->pages().setCurrentIndex(4);
   window_->spectrumPage().choose("walls");
-  QTest::qWait(400);
+  EXPECT_TRUE(wait([this] { return window_->spectrumPage().hasPreview(); })) << "a ball of the finish is rendered";
+  QTest::qWait(300);
   screenshot("day-4-materials");
+  step("materials and spectra");
 
-  // Calculated to 5 % (the guide's room is small; the accuracy is the designer's choice), with its verdict.
-  document.set("/settings/accuracy/grid", "5 %", "accuracy");
+  // Calculated to 2 %, with verdicts on uniformity and glare.
+  document.set("/settings/accuracy/grid", "2 %", "accuracy");
+  document.append("/observers",
+                  Value::Object{{"name", "desk"},
+                                {"eye", Value::Array{0.6, 2, 1.2}},
+                                {"direction", Value::Array{1, 0, 0}},
+                                {"quantity", "ugr"}},
+                  "observer");
   document.set(
       "/requirements/0",
       Value::Object{
           {"grid", "work plane"}, {"mean_lx", Value::Object{{"min", 300}}}, {"u0", Value::Object{{"min", 0.4}}}},
       "requirement");
+  document.set("/requirements/1", Value::Object{{"observer", "desk"}, {"ugr", Value::Object{{"max", 19}}}},
+               "requirement");
   ASSERT_TRUE(waitForCheck());
+  ASSERT_TRUE(window_->checker().latest()->project);
   window_->pages().setCurrentIndex(0);
   calculate();
   const double before = window_->currentResults()->grids[0].mean.value;
   EXPECT_GT(before, 100);
-  EXPECT_FALSE(window_->results().verdict(0).isEmpty());
+  EXPECT_FALSE(window_->results().verdict(0).isEmpty()) << "illuminance and uniformity";
+  EXPECT_FALSE(window_->results().verdict(1).isEmpty());
+  const auto& observers = window_->currentResults()->observers;
+  const auto desk = std::find_if(observers.begin(), observers.end(), [](const auto& o) { return o.name == "desk"; });
+  ASSERT_NE(desk, observers.end());
+  EXPECT_GT(desk->value.value, 5) << "UGR of a bare batten or louvre";
+  EXPECT_LT(desk->value.value, 40);
   EXPECT_NE(window_->results().cell("work plane", "U₀"), QString());
   QTest::qWait(500);
   screenshot("day-5-calculated");
+  step("calculated to 2 %");
   window_->pages().setCurrentIndex(1);
   ASSERT_TRUE(wait([this] { return window_->planPage().view().isDrawn(); }));
-  QTest::qWait(600);
+  // A section along a line drawn by mouse.
+  gui::PlanView& plan = window_->planPage().view();
+  dragMouse(&plan, plan.toWidget({0.5, 1}), plan.toWidget({5.5, 3}));
+  ASSERT_TRUE(plan.section().has_value());
+  EXPECT_NEAR(plan.section()->from.x, 0.5, 0.05);
+  EXPECT_NEAR(plan.section()->to.y, 3, 0.05);
+  ASSERT_TRUE(wait([this] { return window_->planPage().section().isDrawn(); }));
+  QTest::qWait(300);
   screenshot("day-6-illuminance");
+  auto* charts = window_->planPage().findChild<QTabWidget*>("charts");
+  charts->setCurrentIndex(2);
+  EXPECT_EQ(window_->planPage().findChild<QTreeWidget*>("values")->topLevelItemCount(),
+            static_cast<int>(window_->currentResults()->grids[0].points.size()));
+  charts->setCurrentIndex(1);
+  ASSERT_TRUE(wait([this] { return window_->planPage().histogram().isDrawn(); }));
+  screenshot("day-6-histogram");
+  step("plots");
 
   // A luminaire is moved by the mouse, in plan; the results are known to be stale, and come again.
   window_->pages().setCurrentIndex(0);
@@ -149,7 +215,7 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   const auto& mark = window_->checker().latest()->scene->luminaires.front();
   const QPoint at = view.toWidget(mark.position);
   QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at);
-  ASSERT_EQ(view.selection(), "/luminaires/0") << "a click on a luminaire selects it";
+  ASSERT_EQ(view.selection(), std::vector<std::string>{"/luminaires/0"}) << "a click on a luminaire selects it";
   const double x = number("/luminaires/0/position/0"), y = number("/luminaires/0/position/1");
   dragMouse(&view, at, view.toWidget(mark.position + core::Vec3(0.4, 0.2, 0)));
   EXPECT_NEAR(number("/luminaires/0/position/0"), x + 0.4, 0.11);
@@ -158,13 +224,17 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   EXPECT_EQ(window_->currentResults(), nullptr) << "results of another state of the project are not current";
   ASSERT_TRUE(waitForCheck());
   screenshot("day-7-moved");
+  document.set("/settings/accuracy/grid", "10 %", "accuracy");  // the tests' time is not the designer's
+  step("moved by mouse");
   calculate();
   EXPECT_NE(window_->currentResults()->grids[0].mean.value, before);
-  document.undoStack().undo();
+  for (int k = 0; k < 2; ++k) document.undoStack().undo();
   EXPECT_EQ(number("/luminaires/0/position/0"), x);
   EXPECT_EQ(number("/luminaires/0/position/1"), y);
+  step("calculated again, undone");
 
   // A picture, and a pixel of it.
+  document.set("/settings/accuracy/grid", "10 %", "accuracy");
   document.set("/views/0/width", 200, "size");
   document.set("/views/0/height", 150, "size");
   document.set("/settings/accuracy/image", "30 %", "accuracy");
@@ -182,6 +252,7 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   EXPECT_EQ(page.outcome().image->y, written.y) << "what is shown is what is written";
   EXPECT_TRUE(page.findChild<QLabel*>("meter")->text().contains("cd/m²"));
   screenshot("day-8-picture");
+  step("rendered, probed");
 
   // Everything goes out; saved and opened again it gives the same numbers.
   calculate();
@@ -191,9 +262,13 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   EXPECT_TRUE(window_->exportTo("results", folder_.filePath("results.csv")));
   EXPECT_TRUE(window_->exportTo("picture", folder_.filePath("picture.png")));
   ASSERT_TRUE(window_->save());
-  ASSERT_TRUE(waitForJobs());
+  const QString report = QStandardPaths::findExecutable("weasyprint").isEmpty() ? "report.html" : "report.pdf";
+  EXPECT_TRUE(window_->exportTo("report", folder_.filePath(report)));
+  ASSERT_TRUE(waitForJobs(240000));
   for (const char* name : {"plan.png", "plan.pdf", "results.csv", "picture.png", "day/results/grids.json"})
     EXPECT_GT(QFileInfo(folder_.filePath(name)).size(), 100) << name;
+  EXPECT_GT(QFileInfo(folder_.filePath(report)).size(), 20000) << "the report, as `goniolux report` makes it";
+  step("exported, saved");
   document.close();
   ASSERT_TRUE(window_->openProject(folder_.filePath("day")));
   ASSERT_TRUE(wait([this] { return window_->currentResults() != nullptr; }));
@@ -201,10 +276,16 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   ASSERT_TRUE(waitForCheck());
   calculate();
   EXPECT_EQ(window_->currentResults()->grids[0].values, last->grids[0].values) << "the same numbers to the last digit";
+  step("opened again");
+  std::printf("longest pause of the interface in the whole day: %.0f ms\n", worst_);
+  watchdog_.reset();
   window_->setTheme("dark");
   QTest::qWait(600);
   screenshot("day-9-dark");
   window_->setTheme("light");
+  // The goal is 100 ms on a machine of its own; tests share theirs, and pauses of seconds were seen where ten programs
+  // wanted two processors. What hangs takes longer.
+  EXPECT_LT(worst_, 15000);
 }
 
 }  // namespace

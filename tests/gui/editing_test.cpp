@@ -1,8 +1,12 @@
 // Editing: undo, broken projects, missing files, recovery after a kill, and an interface that never freezes.
+#include <QApplication>
+#include <QClipboard>
 #include <QFile>
 #include <QLineEdit>
 #include <QProcess>
+#include <cmath>
 
+#include "app/gui/document/json_pointer.h"
 #include "app/gui/document/recovery.h"
 #include "app/gui/forms/property_panel.h"
 #include "app/gui/window/problems_panel.h"
@@ -48,6 +52,93 @@ TEST_F(Editing, SeveralEntriesAreChangedInOneStep) {
   for (const char* grid : {"/grids/1/counts/0", "/grids/2/counts/0"})
     EXPECT_EQ(window_->document().find(grid)->number(), 7) << grid;
   window_->document().undoStack().undo();
+  EXPECT_FALSE(window_->document().isModified());
+}
+
+TEST_F(Editing, EntriesAreCopiedUnderFreeNamesAndPastedInOneStep) {
+  ASSERT_TRUE(window_->openProject(copyOf("small-office")));
+  gui::Document& document = window_->document();
+  const std::size_t grids = document.find("/grids")->array().size();
+  window_->tree().select("/grids/0");
+  window_->tree().select("/grids/1", true);
+  EXPECT_EQ(window_->tree().selection().size(), 2u);
+  window_->tree().copySelection();
+  window_->tree().paste();
+  ASSERT_EQ(document.find("/grids")->array().size(), grids + 2);
+  EXPECT_EQ(document.find(gui::under(gui::under("/grids", grids), "name"))->string(),
+            document.find("/grids/0/name")->string() + " 2");
+  EXPECT_EQ(window_->tree().selection().size(), 2u) << "what was pasted is selected";
+  document.undoStack().undo();
+  EXPECT_FALSE(document.isModified());
+  QApplication::clipboard()->setText("no entries");
+  window_->tree().paste();
+  EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(Editing, ObjectsAndLuminairesAreMovedAndTurnedByMouse) {
+  const QString folder = folder_.filePath("mouse");
+  QDir().mkpath(folder);
+  QFile file(folder + "/project.json");
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(
+      R"({ "format": "goniolux-project", "version": 1, "materials": { "m": { "model": "lambert", "diffuse": 0.5 } },
+  "objects": [
+    { "name": "room", "shape": "box", "min": [0,0,0], "max": [6,4,3], "facing": "inward", "material": "m" },
+    { "name": "desk", "shape": "box", "min": [2,1,0], "max": [3.6,1.8,0.75], "material": "m" },
+    { "name": "shelf", "shape": "box", "min": [0.3,3.2,0], "max": [0.9,3.8,1], "material": "m" } ],
+  "luminaires": [ { "name": "L", "photometry": "cosine", "flux": 3000, "position": [4.5,3,2.9],
+                    "shape": { "rectangle": { "length": 1.2, "width": 0.3 } } } ],
+  "grids": [ { "name": "g", "origin": [0,0,0.8], "u": [6,0,0], "v": [0,4,0], "counts": [6,4] } ] })");
+  file.close();
+  ASSERT_TRUE(window_->openProject(folder));
+  ASSERT_TRUE(waitForCheck());
+  gui::RoomView& view = window_->roomPage().view();
+  view.setPreset(gui::OrbitCamera::Preset::plan);
+  QTest::qWait(200);
+  const auto pull = [&](const core::Vec3& from, const core::Vec3& to, Qt::KeyboardModifiers keys) {
+    const QPoint a = view.toWidget(from), b = view.toWidget(to);
+    QTest::mousePress(&view, Qt::LeftButton, keys, a);
+    for (int k = 1; k <= 4; ++k) {
+      const QPoint at = a + (b - a) * k / 4;
+      QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, keys);
+      QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, keys, b);
+  };
+  const auto number = [&](const char* pointer) {
+    const core::Value* value = window_->document().find(pointer);
+    return value != nullptr && value->isNumber() ? value->number() : std::nan("");
+  };
+  // A click selects; what is selected is pulled, by steps of 0.1 m.
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.toWidget({2.8, 1.4, 0.75}));
+  ASSERT_EQ(view.selection(), std::vector<std::string>{"/objects/1"});
+  pull({2.8, 1.4, 0.75}, {3.3, 1.6, 0.75}, Qt::NoModifier);
+  EXPECT_NEAR(number("/objects/1/min/0"), 2.5, 0.05);
+  EXPECT_NEAR(number("/objects/1/max/1"), 2.0, 0.05);
+  EXPECT_NEAR(std::remainder(number("/objects/1/min/0"), 0.1), 0, 1e-9);
+  EXPECT_EQ(number("/objects/1/max/2"), 0.75) << "it stays at its height";
+  ASSERT_TRUE(waitForCheck());
+  // With Alt it turns about its centre, by steps of 15 degrees.
+  const core::Vec3 center = window_->checker().latest()->scene->entries.at("/objects/1").center;
+  pull(center + core::Vec3(0.6, 0, 0.375), center + core::Vec3(0.35, 0.35, 0.375), Qt::AltModifier);
+  EXPECT_NEAR(number("/objects/1/transform/0/rotate/degrees"), 45, 1e-9);
+  EXPECT_NEAR(number("/objects/1/transform/0/rotate/center/0"), center.x, 1e-6);
+  ASSERT_TRUE(waitForCheck());
+  EXPECT_TRUE(window_->checker().latest()->project) << "the engine accepts what was written";
+  // Ctrl-click takes the shelf along; both move in one step of undo.
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, view.toWidget({0.6, 3.5, 1}));
+  ASSERT_EQ(view.selection().size(), 2u);
+  pull({0.6, 3.5, 1}, {0.9, 3.3, 1}, Qt::NoModifier);
+  EXPECT_NEAR(number("/objects/2/min/0"), 0.6, 0.05);
+  EXPECT_NEAR(number("/objects/2/min/1"), 3.0, 0.05);
+  EXPECT_NEAR(number("/objects/1/transform/1/translate/0"), number("/objects/2/min/0") - 0.3, 1e-6);
+  ASSERT_TRUE(waitForCheck());
+  screenshot("moved-and-turned");
+  for (int k = 0; k < 3; ++k) window_->document().undoStack().undo();
+  EXPECT_FALSE(window_->document().isModified()) << "three pulls are three steps";
+  // The room is not pulled about: a drag on it turns the view.
+  window_->tree().select("/objects/0");
+  pull({1, 3, 0}, {2, 3, 0}, Qt::NoModifier);
   EXPECT_FALSE(window_->document().isModified());
 }
 

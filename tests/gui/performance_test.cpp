@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/gui/room/room_view.h"
+#include "core/parallel.h"
 #include "gui/studio_fixture.h"
 #include "gui/watchdog.h"
 
@@ -60,36 +61,57 @@ TEST_F(Performance, ALargeProjectTurnsSmoothly) {
   const auto scene = window_->checker().latest()->scene;
   ASSERT_NE(scene, nullptr);
   EXPECT_EQ(scene->luminaires.size(), 500u);
-  EXPECT_GE(scene->room->GetNumberOfCells() + scene->objects->GetNumberOfCells(), 200000);
+  vtkIdType triangles = scene->room->GetNumberOfCells();
+  for (const gui::SurfacePiece& piece : scene->objects) triangles += piece.data->GetNumberOfCells();
+  EXPECT_GE(triangles, 200000);
   gui::RoomView view;
   view.resize(1280, 800);
   view.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   view.showScene(scene, true);
-  QTest::qWait(500);
-  const auto pictures = [&](int count) {
+  ASSERT_TRUE(wait([&] { return view.isDrawn(); }));
+  saveScreenshot(QPixmap::fromImage(view.picture()), "large-hall");
+  const auto mouse = [&](QEvent::Type type, const QPoint& at) {
+    QMouseEvent event(type, at, type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  };
+  // Each move of the mouse is drawn, brought into the window and waited for.
+  const auto turn = [&](int count) {
     QElapsedTimer clock;
     clock.start();
     for (int k = 0; k < count; ++k) {
-      QMouseEvent press(QEvent::MouseButtonPress, QPoint(600, 790), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
-      if (k == 0) QApplication::sendEvent(&view, &press);
-      QMouseEvent move(QEvent::MouseMove, QPoint(600 + 4 * k, 790), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-      QApplication::sendEvent(&view, &move);
+      mouse(QEvent::MouseMove, QPoint(600 + 4 * k, 790));
       view.drawNow();
-      view.renderWindow()->WaitForCompletion();
+      view.repaint();
     }
-    return 1000.0 * count / static_cast<double>(std::max<qint64>(clock.elapsed(), 1));
+    view.renderWindow()->WaitForCompletion();
+    return 1e-9 * static_cast<double>(clock.nsecsElapsed()) / count;
   };
-  pictures(5);  // shaders are compiled, data go to the card
-  const double rate = pictures(30);
+  mouse(QEvent::MouseButtonPress, QPoint(600, 790));
+  turn(5);  // shaders are compiled, data go to the card
+  const double before = core::processCpuSeconds();
+  const double wall = turn(30);
+  const double cpu = (core::processCpuSeconds() - before) / 30;
+  saveScreenshot(QPixmap::fromImage(view.grabFramebuffer()), "large-hall-turning");
   Watchdog watchdog;
   for (int k = 0; k < 20; ++k) {
-    QMouseEvent move(QEvent::MouseMove, QPoint(500 + 5 * k, 600), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&view, &move);
+    mouse(QEvent::MouseMove, QPoint(500 + 5 * k, 600));
     QTest::qWait(20);
   }
-  std::printf("%.1f pictures a second at 1280 x 800; longest pause while turning %.0f ms\n", rate, watchdog.longest());
-  EXPECT_GT(rate, 2);  // the machine may be busy with other tests
+  const double turning = watchdog.longest();
+  watchdog.forget();
+  QElapsedTimer clock;
+  clock.start();
+  mouse(QEvent::MouseButtonRelease, QPoint(600, 600));
+  ASSERT_TRUE(wait([&] { return view.isDrawn(); }));
+  std::printf(
+      "turning at 1280 x 800: %.1f pictures a second; %.1f ms of CPU time each (all threads), %.1f a second if "
+      "that were all\n"
+      "longest pause: %.0f ms turning, %.0f ms while the details come in, which takes %.0f ms\n",
+      1 / wall, 1e3 * cpu, 1 / cpu, turning, watchdog.longest(), static_cast<double>(clock.elapsed()));
+  EXPECT_GT(1 / cpu, 8) << "CPU time counts, so that other programs do not; 20 is the goal, and tests may share caches";
+  EXPECT_LT(turning, 600);
   EXPECT_LT(watchdog.longest(), 600);
 }
 

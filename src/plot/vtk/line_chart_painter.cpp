@@ -48,7 +48,8 @@ std::vector<double> LineChartPainter::Range::ticks(int wanted) const {
   return logarithmic ? decadeTicks(low, high) : axisTicks(low, high, wanted);
 }
 
-LineChartPainter::LineChartPainter(const LineChart& chart) : chart_(chart) {
+LineChartPainter::LineChartPainter(const LineChart& chart, int width, int height)
+    : chart_(chart), width_(width), height_(height) {
   constexpr double huge = std::numeric_limits<double>::max();
   Vec2 low(huge), high(-huge);
   for (const ChartCurve& curve : chart.curves)

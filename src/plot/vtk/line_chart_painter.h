@@ -8,10 +8,10 @@ namespace goniolux::plot {
 
 class LineChartPainter {
  public:
-  /// The chart must outlive the painter.
-  explicit LineChartPainter(const LineChart& chart);
-  [[nodiscard]] int width() const { return 1100; }
-  [[nodiscard]] int height() const { return 800; }
+  /// The chart must outlive the painter. A smaller page leaves less room beside words of the same size.
+  explicit LineChartPainter(const LineChart& chart, int width = 1100, int height = 800);
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
   void paint(Ink& ink) const;
 
  private:
@@ -25,6 +25,7 @@ class LineChartPainter {
   void paintAxes(Ink& ink) const;
 
   const LineChart& chart_;
+  int width_, height_;
   Range x_, y_;
 };
 

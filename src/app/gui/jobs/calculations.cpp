@@ -18,6 +18,16 @@ QString quoted(const std::string& word) {
   return isPlain ? text : "'" + text.replace("'", "'\\''") + "'";
 }
 
+pipeline::StageReport runStage(const std::string& verb, const pipeline::StageRequest& request, JobProgress& progress) {
+  for (const pipeline::Stage& stage : pipeline::stages()) {
+    if (stage.name != verb) continue;
+    pipeline::StageReport report = stage.run(request, progress);
+    for (const core::Diagnostic& d : report.warnings.all()) progress.note(core::toString(d));
+    return report;
+  }
+  throw core::RunError("this program has no stage " + verb);
+}
+
 }  // namespace
 
 Job::Work gridsWork(Source source, std::function<void(GridsOutcome)> deliver) {
@@ -72,17 +82,45 @@ Job::Work writeResultsWork(Source source, std::shared_ptr<const project::Results
   };
 }
 
+Job::Work reportWork(Source source, std::shared_ptr<const project::Results> results, std::string file,
+                     std::string language, std::function<void()> deliver) {
+  return [=](JobProgress& progress) {
+    const project::Project project = project::readProjectText(source.text, source.file);
+    const fs::path folder = fs::path(source.file).parent_path() / "results";
+    pipeline::writeResults(project, *results, folder.string());
+    for (const scene::View& view : project.views) {
+      const fs::path image = folder / (project::fileNameFor(view.name) + ".exr");
+      std::error_code ignored;
+      if (!fs::exists(image, ignored)) continue;
+      pipeline::StageRequest shown;
+      shown.inputs = {image.string()};
+      shown.common.output = fs::path(image).replace_extension(".png").string();
+      runStage("display", shown, progress);
+    }
+    pipeline::StageRequest request;
+    request.inputs = {folder.string()};
+    request.options["language"] = language;
+    const bool wantsPdf = fs::path(file).extension() != ".html";
+    if (!wantsPdf) request.options["format"] = "html";
+    const pipeline::StageReport report = runStage("report", request, progress);
+    const fs::path made = folder / (wantsPdf ? "report.pdf" : "report.html");
+    std::error_code missing;
+    if (!fs::exists(made, missing)) {
+      for (const core::Diagnostic& d : report.warnings.all())
+        if (d.rule == "no-pdf") throw core::RunError(d.message);
+      throw core::RunError("the report was stopped before it was written");
+    }
+    if (fs::absolute(file).lexically_normal() != fs::absolute(made).lexically_normal())
+      core::writeFile(file, core::readFile(made.string()));
+    progress.publish(deliver);
+  };
+}
+
 Job::Work stageWork(const std::string& verb, pipeline::StageRequest request,
                     std::function<void(const pipeline::StageReport&)> deliver) {
   return [verb, request = std::move(request), deliver = std::move(deliver)](JobProgress& progress) {
-    for (const pipeline::Stage& stage : pipeline::stages()) {
-      if (stage.name != verb) continue;
-      auto report = std::make_shared<pipeline::StageReport>(stage.run(request, progress));
-      for (const core::Diagnostic& d : report->warnings.all()) progress.note(core::toString(d));
-      progress.publish([deliver, report] { deliver(*report); });
-      return;
-    }
-    throw core::RunError("this program has no stage " + verb);
+    auto report = std::make_shared<pipeline::StageReport>(runStage(verb, request, progress));
+    progress.publish([deliver, report] { deliver(*report); });
   };
 }
 
@@ -93,6 +131,7 @@ QString commandLine(const std::string& verb, const pipeline::StageRequest& reque
   if (request.common.output) add("-o", *request.common.output);
   if (request.common.accuracy) add("--accuracy", *request.common.accuracy);
   if (request.common.scene) add("--scene", *request.common.scene);
+  if (request.common.timeLimit_s) add("--time-limit", QString::number(*request.common.timeLimit_s).toStdString());
   for (const std::string& setting : request.common.set) add("--set", setting);
   for (const auto& [key, value] : request.options) words << QString::fromStdString("--" + key) << quoted(value);
   return words.join(' ');

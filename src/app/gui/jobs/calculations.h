@@ -36,6 +36,11 @@ Job::Work earlierResultsWork(Source source, std::function<void(GridsOutcome)> de
 Job::Work writeResultsWork(Source source, std::shared_ptr<const project::Results> results, std::string folder,
                            std::function<void(std::vector<std::string>)> deliver);
 
+/// The report on a project that is saved as it is, as `goniolux report` makes it, into a .pdf or .html file: the
+/// results are written first, and pictures that were rendered are made for a display.
+Job::Work reportWork(Source source, std::shared_ptr<const project::Results> results, std::string file,
+                     std::string language, std::function<void()> deliver);
+
 /// A stage by its verb. `deliver` gets its report.
 Job::Work stageWork(const std::string& verb, pipeline::StageRequest request,
                     std::function<void(const pipeline::StageReport&)> deliver);

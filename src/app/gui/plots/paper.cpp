@@ -16,10 +16,10 @@ namespace goniolux::gui {
 namespace {
 
 /// A painter keeps a reference to its figure: both live as long as the sheet.
-template <typename Painter, typename Figure>
-Sheet sheetWith(const Figure& figure) {
+template <typename Painter, typename Figure, typename... Size>
+Sheet sheetWith(const Figure& figure, Size... size) {
   const auto kept = std::make_shared<const Figure>(figure);
-  const auto painter = std::make_shared<const Painter>(*kept);
+  const auto painter = std::make_shared<const Painter>(*kept, size...);
   return {painter->width(), painter->height(), [kept, painter](plot::Ink& ink) { painter->paint(ink); }};
 }
 
@@ -33,6 +33,9 @@ Sheet sheetOf(const plot::PhotometricSolid& solid) {
 }
 Sheet sheetOf(const plot::LineChart& chart) {
   return sheetWith<plot::LineChartPainter>(chart);
+}
+Sheet smallSheetOf(const plot::LineChart& chart) {
+  return sheetWith<plot::LineChartPainter>(chart, 620, 600);
 }
 
 Paper::Paper(const QString& hint, QWidget* parent)

@@ -23,6 +23,8 @@ struct Sheet {
 Sheet sheetOf(const plot::PolarDiagram& diagram);
 Sheet sheetOf(const plot::PhotometricSolid& solid);
 Sheet sheetOf(const plot::LineChart& chart);
+/// For a narrow place: its words are larger beside the curves.
+Sheet smallSheetOf(const plot::LineChart& chart);
 
 class Paper final : public QWidget {
   Q_OBJECT

@@ -60,6 +60,7 @@ void PlanView::clear() {
 void PlanView::setGrid(const QString& name) {
   if (name == grid_ || name.isEmpty()) return;
   grid_ = name;
+  section_.reset();
   wait_.start();
 }
 
@@ -98,16 +99,16 @@ void PlanView::draw() {
   worker_.run([this, outcome = outcome_, grid, options, zoom, dense = devicePixelRatioF()] {
     auto drawn = std::make_shared<Drawn>();
     const QMutexLocker lock(&drawingLock());
-    drawn->map = pipeline::planMapOf(*outcome.results, *grid, outcome.outline.get(), options);
-    drawn->layout = plot::layoutOf(drawn->map);
-    drawn->halfWidths = grid->halfWidths;
+    drawn->content.map = pipeline::planMapOf(*outcome.results, *grid, outcome.outline.get(), options);
+    drawn->layout = plot::layoutOf(drawn->content.map);
+    drawn->content.halfWidths = grid->halfWidths;
     const double scale = zoom * dense;
     drawn->picture = QImage(static_cast<int>(drawn->layout.width * scale),
                             static_cast<int>(drawn->layout.height * scale), QImage::Format_RGB32);
     drawn->picture.fill(Qt::white);
     QPainter painter(&drawn->picture);
     painter.scale(scale, scale);
-    paintPage(painter, drawn->map, drawn->layout);
+    paintPage(painter, drawn->content.map, drawn->layout);
     painter.end();
     drawn->picture.setDevicePixelRatio(dense);
     post(this, [this, drawn] { take(drawn); });
@@ -135,6 +136,48 @@ void PlanView::paintEvent(QPaintEvent*) {
   }
   painter.fillRect(rect(), Qt::white);
   painter.drawImage(0, 0, picture_);
+  if (!section_) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QPoint from = toWidget(section_->from), to = toWidget(section_->to);
+  for (const auto& [colour, width] : {std::pair(QColor(Qt::white), 4.0), std::pair(theme().selection, 2.0)}) {
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(from, to);
+    painter.drawEllipse(from, 3, 3);
+    painter.drawEllipse(to, 3, 3);
+  }
+}
+
+std::shared_ptr<const PlanView::Content> PlanView::content() const {
+  return drawn_ ? std::shared_ptr<const Content>(drawn_, &drawn_->content) : nullptr;
+}
+
+core::Vec2 PlanView::toMap(const QPoint& at) const {
+  const plot::MapLayout& layout = drawn_->layout;
+  const double zoom = static_cast<double>(layout.width) / std::max(picture_.width() / picture_.devicePixelRatio(), 1.0);
+  return layout.toPlan({at.x() * zoom, layout.height - at.y() * zoom});
+}
+
+QPoint PlanView::toWidget(const core::Vec2& place) const {
+  if (!drawn_) return {};
+  const plot::MapLayout& layout = drawn_->layout;
+  const double zoom = static_cast<double>(layout.width) / std::max(picture_.width() / picture_.devicePixelRatio(), 1.0);
+  const core::Vec2 page = layout.toPage(place);
+  return QPointF(page.x / zoom, (layout.height - page.y) / zoom).toPoint();
+}
+
+void PlanView::mousePressEvent(QMouseEvent* event) {
+  if (!drawn_ || event->button() != Qt::LeftButton || !drawn_->layout.shown.contains(toMap(event->pos()))) return;
+  isDrawingSection_ = true;
+  section_ = Line{toMap(event->pos()), toMap(event->pos())};
+}
+
+void PlanView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!std::exchange(isDrawingSection_, false) || !drawn_) return;
+  section_->to = toMap(event->pos());
+  // A mere click takes the line away.
+  if (glm::length(section_->to - section_->from) * drawn_->layout.scale < 6) section_.reset();
+  update();
+  Q_EMIT sectionDrawn();
 }
 
 void PlanView::resizeEvent(QResizeEvent*) {
@@ -144,19 +187,22 @@ void PlanView::resizeEvent(QResizeEvent*) {
 void PlanView::mouseMoveEvent(QMouseEvent* event) {
   if (!drawn_ || picture_.isNull()) return;
   const plot::MapLayout& layout = drawn_->layout;
-  const double zoom = static_cast<double>(layout.width) / std::max(picture_.width() / picture_.devicePixelRatio(), 1.0);
-  const core::Vec2 at = layout.toPlan({event->pos().x() * zoom, layout.height - event->pos().y() * zoom});
+  const core::Vec2 at = toMap(event->pos());
+  if (isDrawingSection_) {
+    section_->to = at;
+    update();
+  }
   double nearest = 1e300;
   std::size_t found = 0;
-  for (std::size_t i = 0; i < drawn_->map.points.size(); ++i) {
-    const double distance = glm::length(drawn_->map.points[i] - at);
+  for (std::size_t i = 0; i < drawn_->content.map.points.size(); ++i) {
+    const double distance = glm::length(drawn_->content.map.points[i] - at);
     if (distance < nearest) nearest = distance, found = i;
   }
   if (!layout.shown.contains(at) || nearest > 1e299) return Q_EMIT pointed(QString());
-  const double value = drawn_->map.values[found], h = drawn_->halfWidths[found];
-  const core::Vec2& p = drawn_->map.points[found];
+  const double value = drawn_->content.map.values[found], h = drawn_->content.halfWidths[found];
+  const core::Vec2& p = drawn_->content.map.points[found];
   const QString words = std::isfinite(value)
-                            ? QString::fromStdString(plot::uncertaintyText(value, h) + " " + drawn_->map.unit)
+                            ? QString::fromStdString(plot::uncertaintyText(value, h) + " " + drawn_->content.map.unit)
                             : tr("not counted");
   Q_EMIT pointed(tr("point %1, %2 m: %3").arg(p.x, 0, 'f', 2).arg(p.y, 0, 'f', 2).arg(words));
 }
@@ -170,19 +216,19 @@ QString PlanView::exportTo(const QString& file) const {
     writer.setPageMargins({0, 0, 0, 0});
     constexpr double pointsPerPixel = 0.6;
     writer.setPageSize(QPageSize(QSizeF(layout.width, layout.height) * pointsPerPixel, QPageSize::Point));
-    writer.setTitle(QString::fromStdString(drawn_->map.title));
+    writer.setTitle(QString::fromStdString(drawn_->content.map.title));
     QPainter painter;
     if (!painter.begin(&writer)) return tr("%1 cannot be written; choose another folder.").arg(file);
     painter.scale(static_cast<double>(writer.width()) / layout.width,
                   static_cast<double>(writer.height()) / layout.height);
-    paintPage(painter, drawn_->map, layout);
+    paintPage(painter, drawn_->content.map, layout);
     return {};
   }
   QImage picture(layout.width * 2, layout.height * 2, QImage::Format_RGB32);
   picture.fill(Qt::white);
   QPainter painter(&picture);
   painter.scale(2, 2);
-  paintPage(painter, drawn_->map, layout);
+  paintPage(painter, drawn_->content.map, layout);
   painter.end();
   if (!picture.save(file)) return tr("%1 cannot be written; choose another folder or ending.").arg(file);
   return {};

@@ -1,5 +1,6 @@
 // PlanView: a grid's illuminance in plan, in false colour with labelled isolux lines; what `goniolux plot` draws, sharp
-// at every size, with the value under the mouse. Drawn on a thread of its own.
+// at every size, with the value under the mouse. A line drawn with the mouse is where a section is wanted. Drawn on a
+// thread of its own.
 #pragma once
 
 #include <QImage>
@@ -28,25 +29,42 @@ class PlanView final : public QWidget {
   [[nodiscard]] const QString& grid() const { return grid_; }
   [[nodiscard]] bool isDrawn() const { return !picture_.isNull(); }
 
+  /// What is drawn, for charts beside it: the map with the half-widths of its points; null when there is none.
+  struct Content {
+    plot::PlanMap map;
+    std::vector<double> halfWidths;
+  };
+  [[nodiscard]] std::shared_ptr<const Content> content() const;
+  /// The line that was drawn, in the map's metres.
+  struct Line {
+    core::Vec2 from{0}, to{0};
+  };
+  [[nodiscard]] const std::optional<Line>& section() const { return section_; }
+  /// Where a place of the map is in the widget.
+  [[nodiscard]] QPoint toWidget(const core::Vec2& place) const;
+
   /// The page as it is, as a PNG or PDF file. A sentence why not, "" when it is written.
   [[nodiscard]] QString exportTo(const QString& file) const;
 
  Q_SIGNALS:
   void pointed(const QString& words);
   void drawn();
+  void sectionDrawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
   struct Drawn {
     QImage picture;
-    plot::PlanMap map;
+    Content content;
     plot::MapLayout layout;
-    std::vector<double> halfWidths;
   };
+  [[nodiscard]] core::Vec2 toMap(const QPoint& at) const;
   void draw();
   void take(const std::shared_ptr<const Drawn>& drawn);
   [[nodiscard]] const project::GridResult* result() const;
@@ -57,6 +75,8 @@ class PlanView final : public QWidget {
   bool banded_ = true, isBusy_ = false, isStale_ = false;
   QImage picture_;
   std::shared_ptr<const Drawn> drawn_;
+  std::optional<Line> section_;
+  bool isDrawingSection_ = false;
   QTimer wait_;
   Worker worker_;
 };

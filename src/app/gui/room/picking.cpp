@@ -52,7 +52,7 @@ std::optional<Picked> pick(const RoomScene& scene, const Ray& ray, double reach,
   std::optional<Picked> best;
   if (!luminairesOnly) {
     pickSurface(scene, scene.room, ray, true, best);
-    pickSurface(scene, scene.objects, ray, false, best);
+    for (const SurfacePiece& piece : scene.objects) pickSurface(scene, piece.data, ray, false, best);
   }
   // A luminaire flush with the surface behind it goes first.
   constexpr double flush = 0.05;

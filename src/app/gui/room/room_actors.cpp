@@ -1,13 +1,14 @@
 #include "app/gui/room/room_actors.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace goniolux::gui {
@@ -33,6 +34,27 @@ vtkSmartPointer<vtkPolyData> dataOf(vtkPoints* points, vtkCellArray* lines) {
   return data;
 }
 
+void addRim(const LuminaireMark& mark, vtkPoints* points, vtkCellArray* cells) {
+  std::vector<vtkIdType> ids;
+  for (const Vec3& corner : lifted(mark)) ids.push_back(add(points, corner));
+  ids.push_back(ids.front());
+  cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+}
+
+void addBox(const geometry::Bounds& box, vtkPoints* points, vtkCellArray* cells) {
+  if (box.empty()) return;
+  const Vec3 low = box.min - Vec3(0.01), high = box.max + Vec3(0.01);
+  const vtkIdType first = points->GetNumberOfPoints();
+  for (int k = 0; k < 8; ++k)
+    add(points, Vec3((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z));
+  for (int k = 0; k < 8; ++k)
+    for (const int bit : {1, 2, 4})
+      if ((k & bit) == 0) {
+        const vtkIdType line[2] = {first + k, first + (k | bit)};
+        cells->InsertNextCell(2, line);
+      }
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkActor> emptyActor() {
@@ -45,14 +67,25 @@ vtkSmartPointer<vtkActor> emptyActor() {
   return actor;
 }
 
-void makeSurface(vtkActor& actor, bool insideOnly) {
+void makeSurface(vtkActor& actor, bool frontOnly) {
   vtkProperty* look = actor.GetProperty();
   look->SetInterpolationToFlat();
   look->SetAmbient(0.42);
   look->SetDiffuse(0.62);
   look->SetSpecular(0);
-  look->SetBackfaceCulling(insideOnly ? 1 : 0);
-  actor.GetMapper()->SetScalarModeToUseCellData();
+  look->SetBackfaceCulling(frontOnly ? 1 : 0);
+}
+
+// VTK moves coincident lines by writing the depth of every fragment, which keeps software OpenGL from leaving out what
+// is hidden: it draws everything several times slower. A vertex can be moved for nothing.
+void makeForward(vtkActor& actor) {
+  actor.GetShaderProperty()->AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true, "//VTK::PositionVC::Impl\n  gl_Position.z -= forward;\n", false);
+  drawForward(actor, 0);
+}
+
+void drawForward(vtkActor& actor, double depth) {
+  actor.GetShaderProperty()->GetVertexCustomUniforms()->SetUniformf("forward", static_cast<float>(depth));
 }
 
 void makePlain(vtkActor& actor, const QColor& colour, float width) {
@@ -87,23 +120,17 @@ vtkSmartPointer<vtkPolyData> openingsOf(const RoomScene& scene) {
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> rimsOf(const RoomScene& scene, const std::string& only) {
+vtkSmartPointer<vtkPolyData> rimsOf(const RoomScene& scene) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  for (const LuminaireMark& mark : scene.luminaires) {
-    if (!only.empty() && mark.pointer != only) continue;
-    std::vector<vtkIdType> ids;
-    for (const Vec3& corner : lifted(mark)) ids.push_back(add(points, corner));
-    ids.push_back(ids.front());
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
+  for (const LuminaireMark& mark : scene.luminaires) addRim(mark, points, cells);
   return dataOf(points, cells);
 }
 
 vtkSmartPointer<vtkPolyData> aimsOf(const RoomScene& scene) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  const double length = 0.22 * glm::length(scene.high - scene.low) / 3 + 0.2;
+  const double length = std::min(0.22 * glm::length(scene.high - scene.low) / 3 + 0.2, 2.0);
   for (const LuminaireMark& mark : scene.luminaires) {
     const Vec3 tip = mark.position + length * mark.aim;
     Vec3 x, y;
@@ -119,39 +146,14 @@ vtkSmartPointer<vtkPolyData> aimsOf(const RoomScene& scene) {
   return dataOf(points, cells);
 }
 
-vtkSmartPointer<vtkPolyData> boxAround(const RoomScene& scene, const std::string& pointer) {
-  Vec3 low(1e300), high(-1e300);
-  for (vtkPolyData* surface : {scene.room.Get(), scene.objects.Get()}) {
-    auto* objects = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("object"));
-    vtkCellArray* cells = surface->GetPolys();
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-      if (scene.objectPointers.at(static_cast<std::size_t>(objects->GetValue(i))) != pointer) continue;
-      vtkIdType size = 0;
-      const vtkIdType* corners = nullptr;
-      cells->GetCellAtId(i, size, corners);
-      for (vtkIdType k = 0; k < size; ++k) {
-        double p[3];
-        surface->GetPoint(corners[k], p);
-        low = glm::min(low, Vec3(p[0], p[1], p[2]));
-        high = glm::max(high, Vec3(p[0], p[1], p[2]));
-      }
-    }
-  }
+vtkSmartPointer<vtkPolyData> marksOf(const RoomScene& scene, const std::vector<std::string>& pointers) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  if (low.x <= high.x) {
-    low -= Vec3(0.01);
-    high += Vec3(0.01);
-    const auto corner = [&](int k) {
-      return Vec3((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z);
-    };
-    for (int k = 0; k < 8; ++k) add(points, corner(k));
-    for (int k = 0; k < 8; ++k)
-      for (const int bit : {1, 2, 4})
-        if ((k & bit) == 0) {
-          const vtkIdType line[2] = {k, k | bit};
-          cells->InsertNextCell(2, line);
-        }
+  for (const std::string& pointer : pointers) {
+    for (const LuminaireMark& mark : scene.luminaires)
+      if (mark.pointer == pointer) addRim(mark, points, cells);
+    if (const auto entry = scene.entries.find(pointer); entry != scene.entries.end())
+      addBox(entry->second.box, points, cells);
   }
   return dataOf(points, cells);
 }

@@ -14,18 +14,22 @@ namespace goniolux::gui {
 
 /// An actor of its own mapper without data.
 vtkSmartPointer<vtkActor> emptyActor();
-/// Surfaces coloured by their cells, lit.
-void makeSurface(vtkActor& actor, bool insideOnly);
+/// Surfaces coloured by their points, lit; `frontOnly`: their backs are not drawn.
+void makeSurface(vtkActor& actor, bool frontOnly);
+/// Lines that go before the surfaces that they bound.
+void makeForward(vtkActor& actor);
+/// How far lines come forward, in depth of the clip space; to be set before each picture.
+void drawForward(vtkActor& actor, double depth);
 /// One colour, not lit.
 void makePlain(vtkActor& actor, const QColor& colour, float width = 1);
 void setData(vtkActor& actor, vtkPolyData* data);
 
 vtkSmartPointer<vtkPolyData> openingsOf(const RoomScene& scene);
-vtkSmartPointer<vtkPolyData> rimsOf(const RoomScene& scene, const std::string& only = {});
+vtkSmartPointer<vtkPolyData> rimsOf(const RoomScene& scene);
 /// Lines from each luminaire along its aim to what they meet, at most.
 vtkSmartPointer<vtkPolyData> aimsOf(const RoomScene& scene);
-/// The outline of the box around the objects of an entry of the document.
-vtkSmartPointer<vtkPolyData> boxAround(const RoomScene& scene, const std::string& pointer);
+/// What is selected: rims of luminaires and boxes around objects.
+vtkSmartPointer<vtkPolyData> marksOf(const RoomScene& scene, const std::vector<std::string>& pointers);
 vtkSmartPointer<vtkPolyData> lineBetween(const core::Vec3& from, const core::Vec3& to);
 
 }  // namespace goniolux::gui

@@ -1,20 +1,12 @@
 #include "app/gui/room/room_scene.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkUnsignedCharArray.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "app/gui/document/json_pointer.h"
 #include "display/device.h"
+#include "geometry/queries.h"
 #include "geometry/tessellate.h"
-#include "pipeline/feature_edges.h"
 #include "pipeline/outline.h"
 #include "spectrum/cie_data.h"
 #include "spectrum/colorimetry.h"
@@ -25,63 +17,6 @@ namespace {
 using core::Vec3;
 
 constexpr int sidesOfRoundSurfaces = 48;
-
-/// Triangles with a colour and an object's number each.
-class Surfaces {
- public:
-  Surfaces() {
-    colours_->SetNumberOfComponents(3);
-    colours_->SetName("colour");
-    objects_->SetName("object");
-  }
-
-  void add(const geometry::Mesh& mesh, const core::Mat4& place, bool turned, const std::vector<plot::Rgb>& colourOfPart,
-           int object) {
-    const vtkIdType first = points_->GetNumberOfPoints();
-    for (const Vec3& vertex : mesh.vertices) {
-      const Vec3 at(place * glm::dvec4(vertex, 1));
-      points_->InsertNextPoint(at.x, at.y, at.z);
-    }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      vtkIdType corners[3] = {first + mesh.triangles[i][0], first + mesh.triangles[i][1], first + mesh.triangles[i][2]};
-      if (turned) std::swap(corners[1], corners[2]);
-      cells_->InsertNextCell(3, corners);
-      const std::size_t part = i < mesh.parts.size() ? mesh.parts[i] : 0;
-      const plot::Rgb colour = part < colourOfPart.size() ? colourOfPart[part] : plot::Rgb{160, 160, 160};
-      colours_->InsertNextTypedTuple(colour.data());
-      objects_->InsertNextValue(object);
-    }
-  }
-
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> data() const {
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points_);
-    data->SetPolys(cells_);
-    data->GetCellData()->SetScalars(colours_);
-    data->GetCellData()->AddArray(objects_);
-    return data;
-  }
-
- private:
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> cells_;
-  vtkNew<vtkUnsignedCharArray> colours_;
-  vtkNew<vtkIntArray> objects_;
-};
-
-vtkSmartPointer<vtkPolyData> linesOf(const std::vector<pipeline::Segment>& segments) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  for (const pipeline::Segment& segment : segments) {
-    const vtkIdType ends[2] = {points->InsertNextPoint(segment.from.x, segment.from.y, segment.from.z),
-                               points->InsertNextPoint(segment.to.x, segment.to.y, segment.to.z)};
-    cells->InsertNextCell(2, ends);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetLines(cells);
-  return data;
-}
 
 LuminaireMark markOf(const scene::Luminaire& luminaire) {
   const pipeline::LuminaireOutline outline = pipeline::outlineOf(luminaire);
@@ -106,30 +41,16 @@ std::string entryAt(const core::Value& root, const core::SourcePosition& positio
   return steps.size() < 2 ? std::string() : under(under("", steps[0]), steps[1]);
 }
 
-class Box {
- public:
-  void add(vtkPolyData* data) {
-    if (data->GetNumberOfPoints() == 0) return;
-    double bounds[6];
-    data->GetBounds(bounds);
-    add({bounds[0], bounds[2], bounds[4]});
-    add({bounds[1], bounds[3], bounds[5]});
+/// Enters the boxes of an object into the scene; gives the diagonal of one place's.
+double addPlaces(RoomScene& scene, const scene::Object& object, const std::string& pointer) {
+  double size = 0;
+  for (const core::Mat4& place : scene::placesOf(object)) {
+    const geometry::Bounds box = geometry::bounds(object.shape, place);
+    scene.entries.try_emplace(pointer, EntryPlace{box, box.center(), object.facesInward}).first->second.box.add(box);
+    size = std::max(size, glm::length(box.extent()));
   }
-  void add(const Vec3& point) {
-    low_ = isEmpty_ ? point : glm::min(low_, point);
-    high_ = isEmpty_ ? point : glm::max(high_, point);
-    isEmpty_ = false;
-  }
-  void write(RoomScene& scene) const {
-    if (isEmpty_) return;
-    scene.low = low_;
-    scene.high = glm::max(high_, low_ + Vec3(1e-3));
-  }
-
- private:
-  Vec3 low_{0}, high_{0};
-  bool isEmpty_ = true;
-};
+  return size;
+}
 
 }  // namespace
 
@@ -165,8 +86,8 @@ RoomScene roomSceneOf(const project::Project& project, const std::string& text) 
   std::vector<plot::Rgb> colours;
   for (const material::Material& material : project.environment.materials) colours.push_back(colourOf(material));
 
-  Surfaces inward, outward;
-  std::vector<pipeline::Segment> edges;
+  SurfaceList inward, outward;
+  std::vector<std::pair<double, std::vector<pipeline::Segment>>> edges;  // with the size of what they bound
   for (std::size_t i = 0; i < project.environment.objects.size(); ++i) {
     const scene::Object& object = project.environment.objects[i];
     std::vector<plot::Rgb> colourOfPart;
@@ -177,23 +98,27 @@ RoomScene roomSceneOf(const project::Project& project, const std::string& text) 
       (object.facesInward ? inward : outward)
           .add(mesh, place, object.facesInward != (glm::determinant(core::Mat3(place)) < 0), colourOfPart,
                static_cast<int>(i));
-    const std::vector<pipeline::Segment> own = pipeline::featureEdges(object);
-    edges.insert(edges.end(), own.begin(), own.end());
     scene.objectPointers.push_back(entryAt(root, object.position));
+    edges.emplace_back(addPlaces(scene, object, scene.objectPointers.back()), pipeline::featureEdges(object));
   }
-  scene.room = inward.data();
-  scene.objects = outward.data();
-  scene.edges = linesOf(edges);
-  Box box;
-  box.add(scene.room);
-  box.add(scene.objects);
+  scene.room = inward.whole();
+  scene.objects = outward.pieces();
+  std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<pipeline::Segment> lines;
+  for (const auto& [size, own] : edges) lines.insert(lines.end(), own.begin(), own.end());
+  scene.edges = linePieces(lines);
+  geometry::Bounds box;
+  for (const auto& [pointer, entry] : scene.entries) box.add(entry.box);
   for (const scene::Luminaire& luminaire : project.environment.luminaires) {
     LuminaireMark mark = markOf(luminaire);
     mark.pointer = entryAt(root, luminaire.position);
     box.add(mark.position);
     scene.luminaires.push_back(std::move(mark));
   }
-  box.write(scene);
+  if (!box.empty()) {
+    scene.low = box.min;
+    scene.high = glm::max(box.max, box.min + Vec3(1e-3));
+  }
   return scene;
 }
 

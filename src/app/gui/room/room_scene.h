@@ -5,10 +5,13 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "app/gui/room/surface_pieces.h"
 #include "core/vector.h"
+#include "geometry/bounds.h"
 #include "plot/palette.h"
 #include "project/project.h"
 
@@ -22,13 +25,21 @@ struct LuminaireMark {
   std::vector<core::Vec3> footprint;  ///< closed polygon; a small square for a point, a thin one for a line
 };
 
+/// Where the objects of an entry of the document stand.
+struct EntryPlace {
+  geometry::Bounds box;  ///< around all of them
+  core::Vec3 center{0};  ///< of the first one's box: an array turns about it
+  bool isRoom = false;   ///< faces inward: not pulled about by the mouse
+};
+
 struct RoomScene {
-  vtkSmartPointer<vtkPolyData> room;     ///< surfaces that are seen from inside only; cell array "object"
-  vtkSmartPointer<vtkPolyData> objects;  ///< all others
-  vtkSmartPointer<vtkPolyData> edges;    ///< feature edges as lines
+  vtkSmartPointer<vtkPolyData> room;                ///< surfaces that are seen from inside only; cell array "object"
+  std::vector<SurfacePiece> objects;                ///< all others, the largest first
+  std::vector<vtkSmartPointer<vtkPolyData>> edges;  ///< feature edges, those of the largest objects first
   std::vector<LuminaireMark> luminaires;
-  std::vector<std::string> objectPointers;  ///< by the number in the cell array "object"
-  core::Vec3 low{0}, high{1};               ///< box around everything
+  std::vector<std::string> objectPointers;    ///< by the number in the cell array "object"
+  std::map<std::string, EntryPlace> entries;  ///< of objects, by pointer
+  core::Vec3 low{0}, high{1};                 ///< box around everything
   [[nodiscard]] double size() const { return glm::length(high - low); }
   [[nodiscard]] core::Vec3 middle() const { return 0.5 * (low + high); }
 };

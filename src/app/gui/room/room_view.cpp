@@ -36,6 +36,8 @@ RoomView::RoomView(QWidget* parent)
   draw_.setSingleShot(true);
   draw_.setInterval(0);
   connect(&draw_, &QTimer::timeout, this, &RoomView::drawNow);
+  detail_.setSingleShot(true);
+  connect(&detail_, &QTimer::timeout, this, &RoomView::drawDetail);
   interactor()->SetInteractorStyle(nullptr);  // the mouse is read here
   renderer_->SetAutomaticLightCreation(false);
   vtkNew<vtkLight> light;
@@ -48,23 +50,52 @@ RoomView::RoomView(QWidget* parent)
 
 RoomView::~RoomView() = default;
 
+std::vector<vtkActor*> RoomView::plainActors() const {
+  return {room_, luminaires_, rims_, aims_, chosen_, colours_, isolines_, ruler_};
+}
+
 void RoomView::buildActors() {
-  for (auto* actor :
-       {&room_, &objects_, &edges_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_}) {
+  for (auto* actor : {&room_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_}) {
     *actor = emptyActor();
     renderer_->AddActor(*actor);
   }
   makeSurface(*room_, true);
-  makeSurface(*objects_, false);
   colours_->GetProperty()->SetLighting(false);
   colours_->GetMapper()->SetScalarModeToUseCellData();
-  colours_->GetProperty()->SetOpacity(0.92);
-  // Lines go before the surfaces that they bound.
-  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
-  for (vtkActor* lines : {edges_.Get(), rims_.Get(), chosen_.Get()})
-    lines->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -40);
-  for (vtkActor* surfaces : {room_.Get(), objects_.Get()})
-    surfaces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
+  for (vtkActor* lines : {rims_.Get(), chosen_.Get()}) makeForward(*lines);
+}
+
+void RoomView::addDetail(vtkPolyData* surface, bool isEdges, bool isClosed) {
+  Detail detail{emptyActor(), isEdges, isClosed};
+  setData(*detail.actor, surface);
+  if (isEdges) {
+    makePlain(*detail.actor, theme().edge, 1);
+    makeForward(*detail.actor);
+  } else {
+    makeSurface(*detail.actor, isClosed);
+  }
+  renderer_->AddActor(detail.actor);
+  details_.push_back(detail);
+}
+
+void RoomView::buildDetails() {
+  for (const Detail& detail : details_) renderer_->RemoveActor(detail.actor);
+  details_.clear();
+  if (!scene_) return;
+  // The first pieces of bodies and sheets, with the edges of the largest objects; then the other surfaces, then edges.
+  const auto& pieces = scene_->objects;
+  const std::size_t first =
+      pieces.size() > 1 && pieces[0].isClosed != pieces[1].isClosed ? 2 : std::min<std::size_t>(pieces.size(), 1);
+  for (std::size_t i = 0; i < first; ++i) addDetail(scene_->objects[i].data, false, scene_->objects[i].isClosed);
+  if (!scene_->edges.empty()) addDetail(scene_->edges.front(), true, false);
+  leastDetails_ = detailsAtOnce_ = nextDetail_ = details_.size();
+  for (std::size_t i = first; i < scene_->objects.size(); ++i)
+    addDetail(scene_->objects[i].data, false, scene_->objects[i].isClosed);
+  for (std::size_t i = 1; i < scene_->edges.size(); ++i) addDetail(scene_->edges[i], true, false);
+  // What is drawn in pieces is neither smoothed as a whole nor seen through.
+  renderer_->SetUseFXAA(!isLarge());
+  colours_->GetProperty()->SetOpacity(isLarge() ? 1 : 0.92);
+  applyCut();
 }
 
 void RoomView::applyColours() {
@@ -76,7 +107,8 @@ void RoomView::applyColours() {
   renderer_->GradientBackgroundOn();
   renderer_->SetBackground(bottom);
   renderer_->SetBackground2(top);
-  makePlain(*edges_, t.edge, 1);
+  for (const Detail& detail : details_)
+    if (detail.isEdges) makePlain(*detail.actor, t.edge, 1);
   makePlain(*luminaires_, t.luminaire);
   makePlain(*rims_, t.aim.darker(130), 1.5F);
   makePlain(*aims_, t.aim, 1.5F);
@@ -88,15 +120,12 @@ void RoomView::applyColours() {
 
 void RoomView::showScene(std::shared_ptr<const RoomScene> scene, bool frame) {
   scene_ = std::move(scene);
+  buildDetails();
   if (!scene_) {
-    for (auto* actor :
-         {&room_, &objects_, &edges_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_})
-      setData(**actor, nullptr);
+    for (vtkActor* actor : plainActors()) setData(*actor, nullptr);
     return update3d();
   }
   setData(*room_, scene_->room);
-  setData(*objects_, scene_->objects);
-  setData(*edges_, scene_->edges);
   showLuminaires();
   showSelection();
   if (frame) return setPreset(preset_);
@@ -111,13 +140,8 @@ void RoomView::showLuminaires() {
 
 void RoomView::showSelection() {
   chosen_->SetPosition(0, 0, 0);
-  if (!scene_ || selection_.empty()) {
-    setData(*chosen_, nullptr);
-  } else if (selection_.starts_with("/luminaires/")) {
-    setData(*chosen_, rimsOf(*scene_, selection_));
-  } else {
-    setData(*chosen_, boxAround(*scene_, selection_));
-  }
+  chosen_->SetOrientation(0, 0, 0);
+  setData(*chosen_, scene_ ? marksOf(*scene_, selection_).Get() : nullptr);
 }
 
 void RoomView::showOverlay(std::shared_ptr<const GridOverlay> overlay) {
@@ -126,9 +150,9 @@ void RoomView::showOverlay(std::shared_ptr<const GridOverlay> overlay) {
   update3d();
 }
 
-void RoomView::select(const std::string& pointer) {
-  if (pointer == selection_) return;
-  selection_ = pointer;
+void RoomView::select(const std::vector<std::string>& pointers) {
+  if (pointers == selection_) return;
+  selection_ = pointers;
   showSelection();
   update3d();
 }
@@ -153,43 +177,41 @@ void RoomView::setMeasuring(bool measuring) {
 }
 
 void RoomView::setAimsVisible(bool visible) {
-  aims_->SetVisibility(visible ? 1 : 0);
+  showsAims_ = visible;
   update3d();
 }
 
 void RoomView::setEdgesVisible(bool visible) {
-  edges_->SetVisibility(visible ? 1 : 0);
+  showsEdges_ = visible;
   update3d();
 }
 
 void RoomView::setOverlayVisible(bool visible) {
-  colours_->SetVisibility(visible ? 1 : 0);
-  isolines_->SetVisibility(visible ? 1 : 0);
+  showsOverlay_ = visible;
   update3d();
 }
 
 void RoomView::setCut(std::optional<double> height) {
-  for (vtkActor* actor : {room_.Get(), objects_.Get(), edges_.Get(), luminaires_.Get(), rims_.Get(), aims_.Get()}) {
-    actor->GetMapper()->RemoveAllClippingPlanes();
-    if (height) actor->GetMapper()->AddClippingPlane(cut_);
-  }
-  if (height) {
-    cut_->SetOrigin(0, 0, *height);
-    cut_->SetNormal(0, 0, -1);
-  }
+  cutHeight_ = height;
+  applyCut();
   update3d();
 }
 
-void RoomView::update3d() {
-  // One picture for all that changes in one turn of the event loop.
-  if (isVisible() && !draw_.isActive()) draw_.start();
-}
-
-void RoomView::drawNow() {
-  if (!isVisible() || width() < 2) return;
-  camera_.applyTo(*renderer_->GetActiveCamera());
-  renderer_->ResetCameraClippingRange();
-  window_->Render();
+void RoomView::applyCut() {
+  if (cutHeight_) {
+    cut_->SetOrigin(0, 0, *cutHeight_);
+    cut_->SetNormal(0, 0, -1);
+  }
+  std::vector<vtkActor*> actors{room_, luminaires_, rims_, aims_};
+  for (const Detail& detail : details_) {
+    actors.push_back(detail.actor);
+    // A body that is cut open shows its inside.
+    if (detail.isClosed) detail.actor->GetProperty()->SetBackfaceCulling(cutHeight_ ? 0 : 1);
+  }
+  for (vtkActor* actor : actors) {
+    actor->GetMapper()->RemoveAllClippingPlanes();
+    if (cutHeight_) actor->GetMapper()->AddClippingPlane(cut_);
+  }
 }
 
 Ray RoomView::rayThrough(const QPoint& at) const {
@@ -199,7 +221,7 @@ Ray RoomView::rayThrough(const QPoint& at) const {
   const Vec3 at1 = camera_.target() + half * (x * camera_.right() + y * camera_.up());
   if (camera_.isParallel()) {
     const Vec3 forward = camera_.forward();
-    return {at1 - 1e3 * forward, forward};
+    return {at1 - parallelDistance * forward, forward};
   }
   return {camera_.eye(), glm::normalize(at1 - camera_.eye())};
 }

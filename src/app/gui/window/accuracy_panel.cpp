@@ -1,13 +1,17 @@
 #include "app/gui/window/accuracy_panel.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSpinBox>
+#include <QTabWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/plots/paper.h"
 #include "app/gui/window/jobs_panel.h"
 
 namespace goniolux::gui {
@@ -35,9 +39,26 @@ AccuracyPanel::AccuracyPanel(JobQueue& jobs, QWidget* parent) : QWidget(parent),
   left->addWidget(table_, 1);
   ask_ = new QPushButton(tr("Predict the times"), this);
   ask_->setToolTip(tr("Tries each accuracy coarsely; takes some seconds"));
-  left->addWidget(ask_, 0, Qt::AlignLeft);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(ask_);
+  draw_ = new QPushButton(tr("Work–precision chart"), this);
+  draw_->setToolTip(
+      tr("Calculates the project by every solver at several accuracies, against a long reference: what accuracy costs "
+         "here. Again, it goes on where it ended."));
+  seconds_ = new QSpinBox(this);
+  seconds_->setRange(10, 3600);
+  seconds_->setValue(60);
+  seconds_->setSuffix(" s");
+  seconds_->setToolTip(tr("Time for the chart"));
+  buttons->addWidget(draw_);
+  buttons->addWidget(seconds_);
+  buttons->addStretch(1);
+  left->addLayout(buttons);
   layout->addLayout(left, 3);
-  auto* scroll = new QScrollArea(this);
+  tabs_ = new QTabWidget(this);
+  tabs_->setDocumentMode(true);
+  layout->addWidget(tabs_, 4);
+  auto* scroll = new QScrollArea(tabs_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   words_ = new QLabel(tr("What the planner would leave out, and why it chooses as it does, appears here."), this);
@@ -45,8 +66,11 @@ AccuracyPanel::AccuracyPanel(JobQueue& jobs, QWidget* parent) : QWidget(parent),
   words_->setAlignment(Qt::AlignTop);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   scroll->setWidget(words_);
-  layout->addWidget(scroll, 4);
+  chart_ = new Paper(tr("What accuracy costs in this project appears here."), tabs_);
+  tabs_->addTab(scroll, tr("Left out, and why"));
+  tabs_->addTab(chart_, tr("Work–precision"));
   connect(ask_, &QPushButton::clicked, this, &AccuracyPanel::estimate);
+  connect(draw_, &QPushButton::clicked, this, [this] { study(seconds_->value()); });
   connect(table_, &QTreeWidget::itemDoubleClicked, this,
           [this](QTreeWidgetItem* item) { Q_EMIT accuracyChosen(accuracies[table_->indexOfTopLevelItem(item)]); });
 }
@@ -55,6 +79,7 @@ void AccuracyPanel::setSource(const Source& source) {
   if (source.text == source_.text) return;
   source_ = source;
   known_ = 0;
+  chart_->clear();
   for (int i = 0; i < table_->topLevelItemCount(); ++i)
     for (int c = 1; c < 4; ++c) table_->topLevelItem(i)->setText(c, "–");
 }
@@ -73,6 +98,28 @@ void AccuracyPanel::estimate() {
                            }));
     job->setCommandLine(commandLine("plan", request));
   }
+}
+
+void AccuracyPanel::study(int seconds) {
+  if (source_.file.empty()) return;
+  pipeline::StageRequest request;
+  request.inputs = {source_.file};
+  request.projectText = source_.text;
+  request.common.output = (studies_.path() + "/study").toStdString();
+  request.common.timeLimit_s = seconds;
+  tabs_->setCurrentWidget(chart_);
+  const std::string figure = *request.common.output + "/work-precision.figure.json";
+  Job* job = jobs_.start(tr("Work–precision chart"), stageWork("study", request, [this, figure](const auto&) {
+                           chart_->show([figure] {
+                             core::Diagnostics trouble;
+                             const core::Value read = core::parseJson(core::readFile(figure), figure, trouble);
+                             if (trouble.hasErrors()) throw core::InputError(trouble);
+                             return sheetOf(plot::lineChartFromJson(read));
+                           });
+                         }));
+  request.inputs = {QFileInfo(QString::fromStdString(source_.file)).path().toStdString()};
+  request.common.output.reset();
+  job->setCommandLine(commandLine("study", request));
 }
 
 void AccuracyPanel::take(int row, const pipeline::StageReport& report) {
@@ -100,6 +147,7 @@ void AccuracyPanel::take(int row, const pipeline::StageReport& report) {
   });
   list("reasons", tr("Because:"), [](const core::Value& entry) { return textOf(&entry); });
   words_->setText(words);
+  tabs_->setCurrentIndex(0);
 }
 
 }  // namespace goniolux::gui

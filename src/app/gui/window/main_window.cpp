@@ -144,10 +144,11 @@ void MainWindow::connectPanels() {
   connect(&checker_, &ProjectChecker::checked, this, &MainWindow::showChecked);
   connect(tree_, &ProjectTree::chosen, this, &MainWindow::choose);
   connect(&roomPage_->view(), &RoomView::selected, this,
-          [this](const QString& pointer) { tree_->select(pointer.toStdString()); });
-  connect(&roomPage_->view(), &RoomView::moved, this, [this](const QString& pointer, double x, double y, double z) {
-    moveEntry(pointer, {x, y, z});
+          [this](const QString& pointer, bool together) { tree_->select(pointer.toStdString(), together); });
+  connect(&roomPage_->view(), &RoomView::moved, this, [this](double x, double y, double z) {
+    moveSelection({x, y, z});
   });
+  connect(&roomPage_->view(), &RoomView::turned, this, &MainWindow::turnSelection);
   connect(&roomPage_->view(), &RoomView::pointed, pointed_, &QLabel::setText);
   connect(&planPage_->view(), &PlanView::pointed, pointed_, &QLabel::setText);
   connect(picturePage_, &PicturePage::renderRequested, this, &MainWindow::render);

@@ -70,7 +70,7 @@ class MainWindow final : public QMainWindow {
   /// Copies a photometric file into the project's folder and shows it; its name there, "" when it cannot be.
   QString importPhotometry(const QString& file);
   void replacePhotometry(const QString& name, bool everywhere);
-  /// Writes what is shown: .csv results, .png or .pdf of the plan, .png or .exr of the picture.
+  /// Writes what is shown: .csv results, .pdf or .html report, .png or .pdf of the plan, .png or .exr of the picture.
   bool exportTo(const QString& what, const QString& file);
   /// Offers what an earlier process that was killed left; opens the newest. False when there is nothing.
   bool offerRecovery();
@@ -101,7 +101,8 @@ class MainWindow final : public QMainWindow {
   void showHealth();
   void updateTitle();
   void choose(const std::vector<std::string>& pointers);
-  void moveEntry(const QString& pointer, const core::Vec3& metres);
+  void moveSelection(const core::Vec3& metres);
+  void turnSelection(double degrees);
   void openDialog();
   bool mayClose();
   void rememberRecent(const QString& path);
@@ -117,6 +118,7 @@ class MainWindow final : public QMainWindow {
   void loadEarlierResults();
   void saveResults();
   void copyCommandLine();
+  void showDocumentation();
   void showRendering(const RenderOutcome& outcome);
   void showProgress();
   [[nodiscard]] Source source() const;

@@ -44,7 +44,8 @@ void MainWindow::buildActions() {
   connect(importing_->addAction(icon("object"), tr("Model (OBJ, PLY, STL, glTF) …")), &QAction::triggered, this,
           &MainWindow::importModelDialog);
   exporting_ = file->addMenu(tr("&Export"));
-  const std::pair<const char*, QString> exports[] = {{"results", tr("Results as CSV …")},
+  const std::pair<const char*, QString> exports[] = {{"report", tr("Report as PDF or HTML …")},
+                                                     {"results", tr("Results as CSV …")},
                                                      {"plan", tr("Illuminance plot as PNG or PDF …")},
                                                      {"picture", tr("Picture as PNG or OpenEXR …")},
                                                      {"room", tr("3-D view as PNG …")}};
@@ -70,6 +71,9 @@ void MainWindow::buildActions() {
   redo->setProperty("picture", "redo");
   edit->addActions({undo, redo});
   edit->addSeparator();
+  connect(make(edit, "", tr("Cu&t"), QKeySequence::Cut), &QAction::triggered, tree_, &ProjectTree::cutSelection);
+  connect(make(edit, "", tr("&Copy"), QKeySequence::Copy), &QAction::triggered, tree_, &ProjectTree::copySelection);
+  connect(make(edit, "", tr("&Paste"), QKeySequence::Paste), &QAction::triggered, tree_, &ProjectTree::paste);
   connect(make(edit, "", tr("&Duplicate"), QKeySequence("Ctrl+D")), &QAction::triggered, tree_,
           &ProjectTree::duplicateSelection);
   connect(make(edit, "", tr("&Remove"), QKeySequence::Delete), &QAction::triggered, tree_,
@@ -145,6 +149,9 @@ void MainWindow::buildActions() {
   for (QAction* wordless : {undo, redo, pause_, stop_}) wordless->setPriority(QAction::LowPriority);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  QAction* guide = help->addAction(tr("&Documentation"));
+  guide->setShortcut(QKeySequence::HelpContents);
+  connect(guide, &QAction::triggered, this, &MainWindow::showDocumentation);
   connect(help->addAction(tr("&About Goniolux Studio")), &QAction::triggered, this, [this] {
     QMessageBox::about(this, tr("About Goniolux Studio"),
                        tr("<b>Goniolux Studio %1</b><p>Calculates the light in a room. Every number comes with an "

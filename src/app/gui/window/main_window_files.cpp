@@ -1,12 +1,15 @@
 // The main window's files: new rooms, imports, exports, drag and drop, recovery.
+#include <QDesktopServices>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QUrl>
 #include <set>
 
 #include "app/gui/document/json_pointer.h"
@@ -19,6 +22,7 @@
 #include "app/gui/window/project_tree.h"
 #include "app/gui/window/results_panel.h"
 #include "app/gui/window/room_page.h"
+#include "project/reading.h"
 
 namespace goniolux::gui {
 
@@ -126,10 +130,11 @@ void MainWindow::importModelDialog() {
 
 void MainWindow::exportDialog(const QString& what) {
   const QString filter = what == "results"   ? tr("Comma-separated values (*.csv)")
+                         : what == "report"  ? tr("PDF document (*.pdf);;Web page (*.html)")
                          : what == "plan"    ? tr("PNG picture (*.png);;PDF page (*.pdf)")
                          : what == "picture" ? tr("PNG picture (*.png);;OpenEXR, calibrated (*.exr)")
                                              : tr("PNG picture (*.png)");
-  const QString ending = what == "results" ? "csv" : "png";
+  const QString ending = what == "results" ? "csv" : what == "report" ? "pdf" : "png";
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Export"), document_.folder() + "/" + what + "." + ending, filter);
   if (!file.isEmpty()) exportTo(what, file);
@@ -141,10 +146,22 @@ bool MainWindow::exportTo(const QString& what, const QString& file) {
     if (what == "results") {
       if (!currentResults()) throw core::RunError(tr("There are no results; calculate first.").toStdString());
       core::writeFile(file.toStdString(), resultsPanel_->csv().toStdString());
+    } else if (what == "report") {
+      if (!currentResults()) throw core::RunError(tr("There are no results; calculate first.").toStdString());
+      if (document_.isModified() && !save()) return false;  // a report names the file that it is about
+      const std::string language = QLocale().language() == QLocale::German ? "de" : "en";
+      Job* job = jobs_->start(
+          tr("Report"), reportWork(source(), currentResults(), file.toStdString(), language,
+                                   [this, file] { statusBar()->showMessage(tr("Written: %1").arg(file), 5000); }));
+      pipeline::StageRequest request;
+      request.inputs = {(document_.folder() + "/results").toStdString()};
+      request.options["language"] = language;
+      job->setCommandLine(commandLine("report", request));
+      return true;
     } else if (what == "plan") {
       failure = planPage_->view().exportTo(file);
     } else if (what == "room") {
-      if (!roomPage_->view().grabFramebuffer().save(file)) failure = tr("%1 cannot be written.").arg(file);
+      if (!roomPage_->view().picture().save(file)) failure = tr("%1 cannot be written.").arg(file);
     } else if (picturePage_->outcome().file.empty()) {
       failure = tr("There is no finished picture; render first.");
     } else if (file.endsWith(".exr", Qt::CaseInsensitive)) {
@@ -170,6 +187,17 @@ bool MainWindow::exportTo(const QString& what, const QString& file) {
   }
   statusBar()->showMessage(tr("Written: %1").arg(file), 5000);
   return true;
+}
+
+void MainWindow::showDocumentation() {
+  // Beside the program's data when it is installed, else in the repository.
+  for (const auto& folder : project::programDataFolders())
+    for (const char* place : {"../doc/goniolux/docs/studio/README.md", "docs/studio/README.md"}) {
+      const QFileInfo file(QString::fromStdString((folder / place).string()));
+      if (file.exists() && QDesktopServices::openUrl(QUrl::fromLocalFile(file.canonicalFilePath()))) return;
+    }
+  showFailure(tr("The documentation cannot be opened"),
+              tr("No program is set for it, or it is not installed; it is the folder docs of Goniolux."));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -9,9 +9,9 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <cmath>
 
 #include "app/gui/document/json_pointer.h"
+#include "app/gui/document/placement.h"
 #include "app/gui/forms/property_panel.h"
 #include "app/gui/window/accuracy_panel.h"
 #include "app/gui/window/jobs_panel.h"
@@ -90,7 +90,7 @@ void MainWindow::showChecked() {
   if (checked.scene) {
     roomPage_->showProject(checked, needsFraming_);
     picturePage_->setViews(checked.project->views);
-    spectrumPage_->showProject(checked.project);
+    spectrumPage_->showProject(checked.project, checked.text);
     luminairePage_->setFiles(photometryOfProject(), document_.folder());
     accuracyPanel_->setSource(source());
     needsFraming_ = false;
@@ -128,9 +128,9 @@ void MainWindow::updateTitle() {
 
 void MainWindow::choose(const std::vector<std::string>& pointers) {
   properties_->showEntries(pointers);
-  if (pointers.empty()) return roomPage_->view().select({});
+  roomPage_->view().select(pointers);
+  if (pointers.empty()) return;
   const std::string& first = pointers.front();
-  roomPage_->view().select(first);
   if (first.starts_with("/materials/")) spectrumPage_->choose(QString::fromStdString(lastStep(first)));
   if (const Value* file = document_.find(under(first, "photometry")); first.starts_with("/luminaires/") &&
                                                                       file != nullptr && file->isString() &&
@@ -138,24 +138,23 @@ void MainWindow::choose(const std::vector<std::string>& pointers) {
     luminairePage_->showFile(QString::fromStdString(file->string()));
 }
 
-void MainWindow::moveEntry(const QString& pointer, const core::Vec3& metres) {
-  const std::string place = under(pointer.toStdString(), "position");
-  const Value* position = document_.find(place);
-  if (position == nullptr || !position->isArray() || position->array().size() != 3) return;
-  const Value* units = document_.find("/units");
-  const std::string unit = units != nullptr && units->isString() ? units->string() : "m";
-  const double perMetre = unit == "mm"   ? 1000
-                          : unit == "cm" ? 100
-                          : unit == "ft" ? 1 / 0.3048
-                          : unit == "in" ? 1 / 0.0254
-                                         : 1;
-  Value::Array moved;
-  for (int k = 0; k < 3; ++k) {
-    const Value& old = position->array()[static_cast<std::size_t>(k)];
-    if (!old.isNumber()) return;
-    moved.emplace_back(std::round((old.number() + metres[k] * perMetre) * 1e6) / 1e6);
-  }
-  document_.set(place, moved, tr("Move a luminaire"));
+void MainWindow::moveSelection(const core::Vec3& metres) {
+  document_.edit(tr("Move"), [&](project::ProjectText& text) {
+    for (const std::string& pointer : tree_->selection()) moveIn(text, pointer, metres);
+  });
+}
+
+void MainWindow::turnSelection(double degrees) {
+  const auto scene = checker_.latestGood()->scene;
+  document_.edit(tr("Turn"), [&](project::ProjectText& text) {
+    for (const std::string& pointer : tree_->selection()) {
+      core::Vec3 center(0);
+      if (scene)
+        if (const auto entry = scene->entries.find(pointer); entry != scene->entries.end())
+          center = entry->second.center;
+      turnIn(text, pointer, degrees, center);
+    }
+  });
 }
 
 bool MainWindow::save() {

@@ -3,11 +3,18 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QSplitter>
+#include <QTabWidget>
 #include <QToolBar>
+#include <QTreeWidget>
 #include <QVBoxLayout>
+#include <cmath>
 
+#include "app/gui/plots/paper.h"
 #include "app/gui/window/icons.h"
+#include "plot/number_text.h"
 #include "plot/palette.h"
+#include "plot/section.h"
 
 namespace goniolux::gui {
 
@@ -18,8 +25,33 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   auto* bar = new QToolBar(this);
   bar->setIconSize({18, 18});
   layout->addWidget(bar);
-  view_ = new PlanView(this);
-  layout->addWidget(view_, 1);
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  layout->addWidget(split, 1);
+  view_ = new PlanView(split);
+  charts_ = new QTabWidget(split);
+  charts_->setObjectName("charts");
+  charts_->setDocumentMode(true);
+  section_ = new Paper(tr("Draw a line in the plan with the mouse to see the values along it."), charts_);
+  histogram_ = new Paper(tr("Press Calculate to see how the values are spread."), charts_);
+  values_ = new QTreeWidget(charts_);
+  values_->setObjectName("values");
+  values_->setRootIsDecorated(false);
+  values_->setUniformRowHeights(true);
+  values_->setAlternatingRowColors(true);
+  values_->setFrameShape(QFrame::NoFrame);
+  values_->setHeaderLabels({"x / m", "y / m", tr("Value"), tr("Half-width")});
+  charts_->addTab(section_, tr("Section"));
+  charts_->addTab(histogram_, tr("Histogram"));
+  charts_->addTab(values_, tr("Values"));
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  split->setSizes({560, 440});
+  connect(view_, &PlanView::drawn, this, &PlanPage::showCharts);
+  connect(view_, &PlanView::sectionDrawn, this, [this] {
+    charts_->setCurrentWidget(section_);
+    showSection();
+  });
+  connect(charts_, &QTabWidget::currentChanged, this, &PlanPage::showCharts);
   grids_ = new QComboBox(bar);
   grids_->setMinimumContentsLength(14);
   grids_->setToolTip(tr("The grid that is shown"));
@@ -64,7 +96,52 @@ void PlanPage::show(const GridsOutcome& outcome) {
   view_->show(outcome);
 }
 
+void PlanPage::showCharts() {
+  showSection();
+  const auto content = view_->content();
+  if (!content) return;
+  if (charts_->currentWidget() == histogram_)
+    histogram_->show([content] { return smallSheetOf(plot::histogramOf(content->map)); });
+  if (charts_->currentWidget() == values_) showValues();
+}
+
+void PlanPage::showSection() {
+  const auto content = view_->content();
+  if (!content || !view_->section()) return section_->clear();
+  section_->show([content, line = *view_->section(), none = tr("The line does not cross the grid.").toStdString()] {
+    const plot::LineChart chart = plot::sectionOf(content->map, content->halfWidths, line.from, line.to);
+    if (chart.curves.empty()) throw core::RunError(none);
+    return smallSheetOf(chart);
+  });
+}
+
+void PlanPage::showValues() {
+  const auto content = view_->content();
+  values_->setUpdatesEnabled(false);
+  values_->clear();
+  // A table of more rows than anyone reads would hold the interface up.
+  constexpr std::size_t mostRows = 2000;
+  const plot::PlanMap& map = content->map;
+  QList<QTreeWidgetItem*> rows;
+  for (std::size_t i = 0; i < std::min(map.points.size(), mostRows); ++i) {
+    const bool counts = std::isfinite(map.values[i]);
+    auto* row = new QTreeWidgetItem(
+        {QString::number(map.points[i].x, 'f', 2), QString::number(map.points[i].y, 'f', 2),
+         counts ? QString::fromStdString(plot::pointText(map.values[i]) + " " + map.unit) : tr("not counted"),
+         counts ? QString("± %1").arg(content->halfWidths[i], 0, 'g', 2) : QString()});
+    for (int c = 0; c < 4; ++c) row->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    rows << row;
+  }
+  if (map.points.size() > mostRows)
+    rows << new QTreeWidgetItem({"…", "…", tr("%1 more").arg(map.points.size() - mostRows), QString()});
+  values_->addTopLevelItems(rows);
+  values_->setUpdatesEnabled(true);
+}
+
 void PlanPage::clear() {
+  section_->clear();
+  histogram_->clear();
+  values_->clear();
   grids_->clear();
   view_->clear();
 }

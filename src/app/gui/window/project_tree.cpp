@@ -160,18 +160,23 @@ void ProjectTree::markProblems() {
   }
 }
 
-void ProjectTree::select(const std::string& pointer) {
+void ProjectTree::select(const std::string& pointer, bool together) {
   isRebuilding_ = true;
-  clearSelection();
+  if (!together) clearSelection();
   for (int i = 0; i < topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = topLevelItem(i);
     if (!pointer.empty() && pointerOf(item) == pointer) setCurrentItem(item);
-    for (int k = 0; k < item->childCount(); ++k)
-      if (pointerOf(item->child(k)) == pointer) {
-        item->setExpanded(true);
-        setCurrentItem(item->child(k));
-        item->child(k)->setSelected(true);
+    for (int k = 0; k < item->childCount(); ++k) {
+      QTreeWidgetItem* entry = item->child(k);
+      if (pointerOf(entry) != pointer) continue;
+      item->setExpanded(true);
+      if (together) {
+        entry->setSelected(!entry->isSelected());
+      } else {
+        setCurrentItem(entry);
+        entry->setSelected(true);
       }
+    }
   }
   isRebuilding_ = false;
   Q_EMIT chosen(selection());
@@ -203,17 +208,6 @@ void ProjectTree::addEntry(const std::string& list) {
   }
 }
 
-void ProjectTree::duplicateSelection() {
-  for (const std::string& pointer : selection()) {
-    const Value* entry = document_.find(pointer);
-    if (entry == nullptr || stepsOf(pointer).size() != 2 || document_.find(parentOf(pointer))->isObject()) continue;
-    Value copy = *entry;
-    if (const Value* name = copy.find("name"); name != nullptr && name->isString())
-      copy.set("name", name->string() + " copy");
-    document_.append(parentOf(pointer), copy, tr("Duplicate %1").arg(titleOf(*entry, 0)));
-  }
-}
-
 void ProjectTree::removeSelection() {
   std::vector<std::string> pointers = selection();
   std::erase_if(pointers, [](const std::string& p) { return stepsOf(p).size() != 2; });
@@ -239,9 +233,11 @@ void ProjectTree::showMenu(const QPoint& at) {
     }
     if (steps.size() == 2) {
       menu.addAction(tr("Duplicate"), this, &ProjectTree::duplicateSelection);
+      menu.addAction(tr("Copy"), this, &ProjectTree::copySelection);
       menu.addAction(tr("Remove"), this, &ProjectTree::removeSelection);
     }
   }
+  menu.addAction(tr("Paste"), this, &ProjectTree::paste);
   if (!menu.isEmpty()) menu.exec(viewport()->mapToGlobal(at));
 }
 

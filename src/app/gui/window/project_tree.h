@@ -16,8 +16,8 @@ class ProjectTree final : public QTreeWidget {
  public:
   ProjectTree(Document& document, const ProjectChecker& checker, QWidget* parent = nullptr);
 
-  /// Selects the entry; "" selects nothing.
-  void select(const std::string& pointer);
+  /// Selects the entry; "" selects nothing. `together`: with what is selected already, or out of it.
+  void select(const std::string& pointer, bool together = false);
   [[nodiscard]] std::vector<std::string> selection() const;
 
   void addEntry(const std::string& listPointer);
@@ -25,6 +25,10 @@ class ProjectTree final : public QTreeWidget {
   void rebuild();
   void duplicateSelection();
   void removeSelection();
+  /// Puts the selected entries on the clipboard as JSON; what is there goes into the project, under free names.
+  void copySelection() const;
+  void cutSelection();
+  void paste();
 
  Q_SIGNALS:
   void chosen(const std::vector<std::string>& pointers);
@@ -33,6 +37,7 @@ class ProjectTree final : public QTreeWidget {
   void addList(const QString& title, const char* key, const QString& iconName);
   void markProblems();
   void showMenu(const QPoint& at);
+  void addCopies(const std::string& list, const core::Value& entries, const QString& words);
 
   Document& document_;
   const ProjectChecker& checker_;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/jobs/material_preview.h"
 #include "app/gui/plots/paper.h"
 #include "app/gui/room/room_scene.h"
 #include "app/gui/window/icons.h"
@@ -37,7 +38,12 @@ QString row(const QString& name, const QString& value) {
 
 }  // namespace
 
-SpectrumPage::SpectrumPage(QWidget* parent) : QWidget(parent) {
+SpectrumPage::SpectrumPage(QWidget* parent)
+    : QWidget(parent), balls_(this, [this](const std::shared_ptr<const ShownImage>& shown) {
+        hasPreview_ = shown->failure.isEmpty();
+        if (hasPreview_) ball_->setPixmap(QPixmap::fromImage(shown->picture));
+        ball_->setToolTip(hasPreview_ ? tr("A ball of this finish in the chosen light, rendered") : shown->failure);
+      }) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -59,6 +65,16 @@ SpectrumPage::SpectrumPage(QWidget* parent) : QWidget(parent) {
   patch_->setObjectName("patch");
   patch_->setFixedHeight(72);
   column->addWidget(patch_);
+  ball_ = new QLabel(side);
+  ball_->setObjectName("ball");
+  ball_->setAccessibleName(tr("Ball of the finish"));
+  ball_->setFixedHeight(172);
+  ball_->setAlignment(Qt::AlignCenter);
+  column->addWidget(ball_);
+  // Not while one looks through the list.
+  wait_.setSingleShot(true);
+  wait_.setInterval(350);
+  connect(&wait_, &QTimer::timeout, this, &SpectrumPage::preview);
   facts_ = new QLabel(side);
   facts_->setTextFormat(Qt::RichText);
   facts_->setWordWrap(true);
@@ -70,7 +86,27 @@ SpectrumPage::SpectrumPage(QWidget* parent) : QWidget(parent) {
   connect(light_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &SpectrumPage::draw);
 }
 
-void SpectrumPage::showProject(std::shared_ptr<const project::Project> project) {
+SpectrumPage::~SpectrumPage() {
+  if (rendering_) rendering_->cancel();
+}
+
+void SpectrumPage::preview() {
+  const QListWidgetItem* item = list_->currentItem();
+  if (!project_ || text_.empty() || item == nullptr || item->data(isSourceRole).toBool() || !isVisible()) return;
+  if (rendering_) rendering_->cancel();
+  rendering_ = std::make_shared<core::SilentProgress>();
+  balls_.ask([source = Source{text_, project_->file}, name = item->text().toStdString(),
+              light = light_->currentText().toStdString(),
+              progress = rendering_] { return materialPreview(source, name, light, *progress); });
+}
+
+void SpectrumPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  wait_.start();
+}
+
+void SpectrumPage::showProject(std::shared_ptr<const project::Project> project, const std::string& text) {
+  text_ = text;
   const QString chosen = list_->currentItem() != nullptr ? list_->currentItem()->text() : QString();
   project_ = std::move(project);
   const QSignalBlocker quiet(list_);
@@ -132,6 +168,10 @@ void SpectrumPage::drawMaterial(const material::Material& material) {
   patch_->setStyleSheet(
       QString("background: rgb(%1, %2, %3); border-radius: 4px;").arg(rgb[0]).arg(rgb[1]).arg(rgb[2]));
   patch_->setVisible(true);
+  ball_->setVisible(true);
+  ball_->clear();
+  hasPreview_ = false;
+  wait_.start();
   if (chart.curves.empty()) return paper_->clear();
   paper_->show([chart] { return sheetOf(chart); });
 }
@@ -154,6 +194,7 @@ void SpectrumPage::drawSource(const scene::Luminaire& luminaire) {
   if (!source.lines().empty()) facts += row(tr("Lines"), QString::number(source.lines().size()));
   facts_->setText(facts + "</table>");
   patch_->setVisible(false);
+  ball_->setVisible(false);
   paper_->show([chart] { return sheetOf(chart); });
 }
 
