@@ -28,6 +28,7 @@ display::CodeImage read(const geometry::MeshPicture& picture, const std::string&
     case PictureFormat::jpeg:
       return display::decodeJpeg(bytes, picture.file, mostTexturePixels);
     case PictureFormat::dpx:
+    case PictureFormat::exr:
       break;
   }
   throw core::InputError({picture.file, 0, 0}, "picture-format", "is no texture picture; save it as PNG or JPEG");

@@ -207,7 +207,8 @@ Response PathSolver<W>::radiance(const Vec3& eye, const Vec3& view, std::uint64_
 }
 
 template <int W>
-PartedLight PathSolver<W>::partedLight(const Vec3& eye, const Vec3& view, std::uint64_t key, std::uint32_t sample) const {
+PartedLight PathSolver<W>::partedLight(const Vec3& eye, const Vec3& view, std::uint64_t key,
+                                       std::uint32_t sample) const {
   PartedLight light;
   light.whole = radianceBy(ending(), eye, view, key, sample, &light.direct);
   return light;

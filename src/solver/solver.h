@@ -61,8 +61,8 @@ class Solver {
 
   /// The same with the direct part apart; only by solvers that part them.
   [[nodiscard]] virtual bool partsLight() const { return false; }
-  [[nodiscard]] virtual PartedLight partedLight(const core::Vec3& origin, const core::Vec3& direction, std::uint64_t key,
-                                            std::uint32_t sample) const {
+  [[nodiscard]] virtual PartedLight partedLight(const core::Vec3& origin, const core::Vec3& direction,
+                                                std::uint64_t key, std::uint32_t sample) const {
     return {radiance(origin, direction, key, sample), {}};
   }
 

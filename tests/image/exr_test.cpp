@@ -175,7 +175,7 @@ TEST(Exr, SpectralChannelsComeBackUnderThePublishedNames) {
   const test::TemporaryFolder folder;
   const std::string path = (folder.path() / "view.exr").string();
   XyzImage image = testImage(5, 4);
-  image.spectrum = {{437.5, std::vector<float>(20, 0.25F)}, {550, std::vector<float>(20, 0.5F)}};
+  image.spectrum = {{437.5, std::vector<float>(20, 0.25F), {}}, {550, std::vector<float>(20, 0.5F), {}}};
   writeExr(path, image);
   EXPECT_NE(test::contentOf(path).find("S0.437,500000nm"), std::string::npos);
   const XyzImage back = readExr(path);

@@ -72,7 +72,7 @@ TEST(Patch, BlackHasNoColour) {
 
 TEST(Patch, SpectralChannelsAreAveraged) {
   XyzImage image = uniform(2, 1, 10);
-  image.spectrum = {{500, {1, 3}}, {600, {2, 2}}};
+  image.spectrum = {{500, {1, 3}, {}}, {600, {2, 2}, {}}};
   const PatchReading reading = readPatch(image, 0, 0, 1);
   ASSERT_EQ(reading.spectrum.size(), 2U);
   EXPECT_EQ(reading.spectrum[0].second, 2);
