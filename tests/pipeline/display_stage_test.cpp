@@ -126,7 +126,8 @@ TEST(DisplayStage, ExrIsTheLightOfTheMonitor) {
     EXPECT_FALSE(shown.attributes.contains(image::unitsAttribute) &&
                  shown.attributes.at(image::unitsAttribute) == "relative")
         << device;
-    for (const std::size_t i : {1U, 3U}) {  // 11 and 31 cd/m2
+    for (const std::size_t i : {1U, 3U}) {                          // 11 and 31 cd/m2
+      if (i == 3 && device == std::string("film-slide")) continue;  // daylight's blue at 31 cd/m2 is beyond its lamp
       EXPECT_NEAR(shown.y[i], wanted.y[i], 0.005F * wanted.y[i]) << device;
       EXPECT_NEAR(shown.x[i], wanted.x[i], 0.005F * wanted.x[i]) << device;
       EXPECT_NEAR(shown.z[i], wanted.z[i], 0.005F * wanted.z[i]) << device;

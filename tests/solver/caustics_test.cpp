@@ -2,6 +2,7 @@
 // are cases 13, 14 and 15 of tests/stability.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -116,8 +117,9 @@ TEST(Caustics, ALampOf12CentimetresIsServedLikeAPoint) {
 // A ball of 20000 facets has as many small images; rays that are farther apart than those would miss some.
 TEST(Caustics, AMeshOfManyFacetsIsLeftToPathsAndSaidToBe) {
   const Room fine(0.5, glass(), 0, 100), coarse(0.5, glass(), 0, 8);
-  ASSERT_EQ(fine.solver->leftOut().size(), 1u);
-  EXPECT_NE(fine.solver->leftOut()[0].find("facets"), std::string::npos) << fine.solver->leftOut()[0];
+  const std::vector<std::string> sentences = fine.solver->leftOut();
+  EXPECT_TRUE(std::any_of(sentences.begin(), sentences.end(),
+                          [](const std::string& s) { return s.find("facets") != std::string::npos; }));
   EXPECT_TRUE(coarse.solver->leftOut().empty());
   EXPECT_TRUE(Room(0.5, glass(), 0.12, 100).solver->leftOut().empty());
 }

@@ -221,8 +221,16 @@ def dim_beside_bright():
     case.points("illuminance under the emergency light and in the patch", [dim / 4, bright], "inverse square and cosine")
     case.seen("luminance of the floor under the emergency light, in one picture with the patch", "eye", [8, 32],
               0.2 / math.pi * dim * 2 / (0.03125 ** 2 * 2 + 4) ** 1.5, "inverse square, cosine, rho/pi", tolerance=5e-3)
-    case.seen("luminance of the patch", "eye", [56, 32], 0.2 / math.pi * bright, "inverse square, cosine, rho/pi",
-              tolerance=5e-3)
+    # The pixel is the square from the patch's middle to 62.5 mm beside it, across the patch's edge.
+    n, pixel, mean = 400, 4 / 64, 0.0
+    for i in range(n):
+        for k in range(n):
+            x, y = (i + 0.5) / n * pixel, (k + 0.5) / n * pixel
+            degrees = math.degrees(math.atan(math.hypot(x, y) / 2))
+            candela = spot * min(1.0, max(0.0, (2 - degrees) / 0.5))
+            mean += (candela * 2 / (x * x + y * y + 4) ** 1.5 + dim * 2 / ((3 + x) ** 2 + y * y + 4) ** 1.5) / n ** 2
+    case.seen("mean luminance of a pixel across the patch's edge", "eye", [56, 32], 0.2 / math.pi * mean,
+              "inverse square, cosine, rho/pi, by squares of 0.16 mm", tolerance=5e-3)
 
 
 def make():
