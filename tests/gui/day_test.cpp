@@ -111,6 +111,7 @@ class DesignersDay : public StudioFixture {
 };
 
 TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
+  if (!sharedFolder()) GTEST_SKIP() << sharedFolderIsAbsent;
   watchdog_ = std::make_unique<Watchdog>();
   makeRoom();
   gui::Document& document = window_->document();

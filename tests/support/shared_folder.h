@@ -15,14 +15,15 @@ inline constexpr const char* sharedFolderIsAbsent =
     "the folder of shared validation material is absent: set GONIOLUX_SHARED, or put it beside the source tree as "
     "'shared'";
 
-/// GONIOLUX_SHARED if that names a folder, else the folder `shared` beside the source tree, else nothing.
+/// GONIOLUX_SHARED if that names a folder with validation material, else the folder `shared` beside the source tree,
+/// else nothing.
 inline std::optional<std::filesystem::path> sharedFolder() {
   if (const char* named = std::getenv("GONIOLUX_SHARED"); named != nullptr && *named != '\0') {
     const std::filesystem::path folder = named;
-    return std::filesystem::is_directory(folder) ? std::optional(folder) : std::nullopt;
+    return std::filesystem::is_directory(folder / "validation") ? std::optional(folder) : std::nullopt;
   }
   const std::filesystem::path beside = std::filesystem::path(GONIOLUX_SOURCE_DIR).parent_path() / "shared";
-  return std::filesystem::is_directory(beside) ? std::optional(beside) : std::nullopt;
+  return std::filesystem::is_directory(beside / "validation") ? std::optional(beside) : std::nullopt;
 }
 
 }  // namespace goniolux::test
