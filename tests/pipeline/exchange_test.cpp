@@ -6,6 +6,7 @@
 #include "geometry/mesh_import.h"
 #include "geometry/queries.h"
 #include "geometry/radiance_scene.h"
+#include "pipeline/import_room.h"
 #include "pipeline/scene_export.h"
 #include "pipeline/stages.h"
 #include "project/project.h"
@@ -16,25 +17,6 @@ namespace goniolux::pipeline {
 namespace {
 
 const std::string source = GONIOLUX_SOURCE_DIR;
-
-const std::string room = R"({ "format": "goniolux-project", "version": 1, // a comment stays
-  "materials": { "grey": { "model": "lambert", "diffuse": 0.5 } },
-  "objects": [
-    { "name": "room", "shape": "box", "min": [0,0,0], "max": [4,3,2.5], "facing": "inward", "material": "grey" } // last
-  ],
-  "luminaires": [ { "photometry": "isotropic", "flux": 1000, "position": [2,1.5,2] } ],
-  "grids": [ { "name": "plane", "origin": [0,0,0.8], "u": [4,0,0], "v": [0,3,0], "counts": [4,3] } ] }
-)";
-
-StageReport import(const std::string& model, const std::string& project,
-                   std::map<std::string, std::string> options = {}) {
-  core::SilentProgress silent;
-  StageRequest request;
-  request.inputs = {model};
-  options["into"] = project;
-  request.options = options;
-  return importStage().run(request, silent);
-}
 
 TEST(ProjectText, AddsEntriesAndKeepsCommentsAndTheRest) {
   project::ProjectText text(room, "project.json");

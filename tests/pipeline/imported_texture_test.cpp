@@ -3,13 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 #include <string>
 
-#include "core/progress.h"
 #include "display/picture_file.h"
-#include "pipeline/stages.h"
+#include "pipeline/import_room.h"
 #include "project/project.h"
 #include "spectrum/cie_data.h"
 #include "spectrum/colorimetry.h"
@@ -17,23 +15,6 @@
 
 namespace goniolux::pipeline {
 namespace {
-
-const std::string room = R"({ "format": "goniolux-project", "version": 1,
-  "materials": { "grey": { "model": "lambert", "diffuse": 0.5 } },
-  "objects": [ { "name": "room", "shape": "box", "min": [0,0,0], "max": [4,3,2.5], "facing": "inward", "material": "grey" } ],
-  "luminaires": [ { "photometry": "isotropic", "flux": 1000, "position": [2,1.5,2] } ],
-  "grids": [ { "name": "plane", "origin": [0,0,0.8], "u": [4,0,0], "v": [0,3,0], "counts": [4,3] } ] }
-)";
-
-StageReport import(const std::string& model, const std::string& project,
-                   std::map<std::string, std::string> options = {}) {
-  core::SilentProgress silent;
-  StageRequest request;
-  request.inputs = {model};
-  options["into"] = project;
-  request.options = options;
-  return importStage().run(request, silent);
-}
 
 // Two by one pixels: sRGB codes 255 and 188, the latter 0.5029 of the former.
 std::string blackAndGrey(std::uint16_t left, std::uint16_t right) {

@@ -37,6 +37,13 @@ class ProjectTree final : public QTreeWidget {
   void addList(const QString& title, const char* key, const QString& iconName);
   void markProblems();
   void showMenu(const QPoint& at);
+  /// The selected entries of a list, as copies are kept: its pointer, and [{"name": …, "value": …}]. Empty: nothing
+  /// that could be copied.
+  struct Entries {
+    std::string list;
+    core::Value values;
+  };
+  [[nodiscard]] Entries selectedEntries() const;
   void addCopies(const std::string& list, const core::Value& entries, const QString& words);
 
   Document& document_;

@@ -41,15 +41,19 @@ std::string freeName(const std::string& wanted, std::set<std::string>& taken) {
 
 }  // namespace
 
-void ProjectTree::copySelection() const {
-  Value entries = Value::Array{};
-  std::string list;
+ProjectTree::Entries ProjectTree::selectedEntries() const {
+  Entries selected{"", Value::Array{}};
   for (const std::string& pointer : selection()) {
     const Value* value = document_.find(pointer);
     if (value == nullptr || stepsOf(pointer).size() != 2) continue;
-    list = parentOf(pointer);
-    entries.push(Value::Object{{"name", lastStep(pointer)}, {"value", *value}});
+    selected.list = parentOf(pointer);
+    selected.values.push(Value::Object{{"name", lastStep(pointer)}, {"value", *value}});
   }
+  return selected;
+}
+
+void ProjectTree::copySelection() const {
+  const auto [list, entries] = selectedEntries();
   if (list.empty()) return;
   const Value copied = Value::Object{{listKey, list}, {"entries", entries}};
   QApplication::clipboard()->setText(QString::fromStdString(core::toJson(copied)));
@@ -61,14 +65,7 @@ void ProjectTree::cutSelection() {
 }
 
 void ProjectTree::duplicateSelection() {
-  Value entries = Value::Array{};
-  std::string list;
-  for (const std::string& pointer : selection()) {
-    const Value* value = document_.find(pointer);
-    if (value == nullptr || stepsOf(pointer).size() != 2) continue;
-    list = parentOf(pointer);
-    entries.push(Value::Object{{"name", lastStep(pointer)}, {"value", *value}});
-  }
+  const auto [list, entries] = selectedEntries();
   if (!list.empty())
     addCopies(list, entries, tr("Duplicate %n entries", nullptr, static_cast<int>(entries.array().size())));
 }
