@@ -46,32 +46,39 @@ void PathSolver<W>::findSpots(double area) {
 }
 
 template <int W>
-bool PathSolver<W>::guide(Path& path, const Vertex& at, core::Sampler& random) const {
-  if (spots_.empty()) return true;
+void PathSolver<W>::addSpot(Response& sum, Path& path, const Vertex& at, Ending ending, core::Sampler& random,
+                            std::uint64_t& rays) const {
+  path.guidance.pending = false;
+  if (spots_.empty()) return;
   Guidance& guidance = path.guidance;
   guidance.choice = spots_.from(at.start, at.normal);
-  guidance.target = scene::none;
   guidance.pending = guidance.choice.total > 0;
-  if (!guidance.pending) return true;
+  // Direct light at the next vertex is no part of the remainder, by whichever way it is found.
+  if (!guidance.pending || ending == Ending::remainder) return;
   const double u = random.next();
-  if (u >= spots_.share()) return true;
-  return spots_.direction(guidance.choice, u / spots_.share(), random.next2(), path.direction, guidance.target);
+  if (u >= spots_.share()) return;
+  Path connection = path;
+  connection.direct = nullptr;
+  std::uint32_t target = scene::none;
+  if (!spots_.direction(guidance.choice, u / spots_.share(), random.next2(), connection.direction, target)) return;
+  Meeting met;
+  if (!meet(connection, met, rays) || met.hit.surface != target) return;
+  const Vertex there = vertexAt(met.hit, connection.direction);
+  const core::Frame frame = frameAbout(there.normal);
+  connection.throughput *= static_cast<float>(directShare(connection, met.hit));
+  addDirect(sum, there, met, frame.toLocal(-connection.direction), {frame}, connection, false, random, rays);
 }
 
 template <int W>
-bool PathSolver<W>::weighGuidance(Path& path, const tracer::Hit& hit) const {
+double PathSolver<W>::directShare(Path& path, const tracer::Hit& hit) const {
   path.onSpot = false;
-  Guidance& guidance = path.guidance;
-  if (!guidance.pending) return true;
-  guidance.pending = false;
-  if (guidance.target != scene::none && guidance.target != hit.surface) return false;
-  const double byCosine = glm::dot(path.direction, guidance.choice.normal) / core::pi;
-  const double bySpots = spots_.density(guidance.choice, path.direction, hit.surface);
-  const double factor = byCosine / ((1 - spots_.share()) * byCosine + spots_.share() * bySpots);
-  path.throughput *= static_cast<float>(factor);
-  path.white *= factor;
-  path.onSpot = bySpots > 0;
-  return true;
+  if (!path.guidance.pending) return 1;
+  path.guidance.pending = false;
+  const double bySpots = spots_.density(path.guidance.choice, path.direction, hit.surface);
+  if (!(bySpots > 0)) return 1;
+  path.onSpot = true;
+  const double byCosine = glm::dot(path.direction, path.guidance.choice.normal) / core::pi;
+  return byCosine / (byCosine + spots_.share() * bySpots);
 }
 
 }  // namespace goniolux::solver

@@ -37,6 +37,7 @@ std::vector<Opening> openings() {
     list.push_back({.shape = Shape::cylinder, .length = 0.3, .width = 0.2, .height = 0.7, .along = along});
     list.push_back({.shape = Shape::cylinder, .height = 0.7, .diameter = 0.2, .along = along});
   }
+  list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2});
   list.push_back({.shape = Shape::sphere, .length = 0.6, .width = 0.3, .height = 0.2});
   // A drop, and a cylinder with its caps.
   list.push_back(
@@ -80,6 +81,30 @@ TEST(EveryStatedOpening, KeepsItsFluxAndSamplesAsItIntegrates) {
           EXPECT_NEAR(sampled(*emitter, at, normal), e.value, 8e-3 * e.value + 0.2) << at.x << " " << at.z;
         }
     }
+}
+
+// On a ceiling beside a batten a few samples must not carry all of the light.
+TEST(LongOpenings, AreSampledEvenlyFromMillimetresAway) {
+  const std::vector<Opening> battens{{.shape = Shape::box, .length = 1.2, .width = 0.06, .height = 0.05},
+                                     {.shape = Shape::rectangle, .length = 1.2, .width = 0.06},
+                                     {.shape = Shape::tube, .length = 1.2, .diameter = 0.026, .axis = {1, 0, 0}}};
+  for (const Opening& opening : battens) {
+    const auto emitter = makeEmitter(opening, Vec3(0), output(true));
+    for (const Vec3& point : {Vec3(0.1, 0, 0.03), Vec3(0.59, 0, 0.03), Vec3(0.3, 0.035, 0.001), Vec3(0.603, 0.002, 0.02),
+                              Vec3(0.5, 0.2, 0.03), Vec3(0.62, 0.04, 0.03)}) {
+      constexpr std::uint32_t samples = 4096;
+      double sum = 0, squares = 0;
+      for (std::uint32_t i = 0; i < samples; ++i) {
+        core::Sampler random(11, i);
+        const double light = emitter->sample(point, random.next2()).normalIlluminance;
+        sum += light;
+        squares += light * light;
+      }
+      const double mean = sum / samples;
+      EXPECT_LT(squares / samples, 2.5 * mean * mean)
+          << "shape " << static_cast<int>(opening.shape) << " from " << point.x << ' ' << point.y << ' ' << point.z;
+    }
+  }
 }
 
 TEST(EllipticalOpenings, OfEqualDiametersAreTheRoundOnes) {
