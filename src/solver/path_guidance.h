@@ -1,4 +1,4 @@
-// The path kernel's share of directions towards bright spots. Part of path_kernel.cpp.
+// The path kernel's connections to bright spots. Part of path_kernel.cpp.
 #pragma once
 
 #include "solver/directions.h"
@@ -10,18 +10,18 @@ namespace goniolux::solver {
 namespace {
 
 constexpr std::size_t raysForSpots = 4096, raysPerEmitter = 64, mostRaysForSpots = 65536;
+constexpr std::size_t raysForFineSpots = 32768;
 constexpr std::uint64_t spotKey = 0x5907;
 constexpr int mostSteps = 256;  // at finishes that are not diffuse
 
 }  // namespace
 
 template <int W>
-void PathSolver<W>::findSpots(double area) {
+std::vector<LandedLight> PathSolver<W>::landLight(std::size_t wanted) const {
   double flux = 0;
   for (const scene::LightSource& source : world_.emitters) flux += source.emitter->flux();
-  if (!(flux > 0)) return;
-  const std::size_t wanted = std::clamp(raysPerEmitter * world_.emitters.size(), raysForSpots, mostRaysForSpots);
   std::vector<LandedLight> landed;
+  if (!(flux > 0)) return landed;
   std::uint64_t rays = 0;
   std::uint32_t index = 0;
   for (const scene::LightSource& source : world_.emitters) {
@@ -42,7 +42,16 @@ void PathSolver<W>::findSpots(double area) {
     ++index;
   }
   rays_.fetch_add(rays, std::memory_order_relaxed);
-  spots_ = BrightSpots(std::move(landed), area);
+  return landed;
+}
+
+template <int W>
+void PathSolver<W>::findSpots(double area) {
+  const std::size_t wanted = std::clamp(raysPerEmitter * world_.emitters.size(), raysForSpots, mostRaysForSpots);
+  spots_ = BrightSpots(landLight(wanted), area);
+  if (spots_.empty()) return;
+  BrightSpots outlined(landLight(std::max(wanted, raysForFineSpots)), area, BrightSpots::fine);
+  if (!outlined.empty()) spots_ = std::move(outlined);
 }
 
 template <int W>

@@ -201,6 +201,8 @@ class PathSolver : public Solver {
                std::uint64_t& rays) const;
   /// The share with which the direct light of what a path has met counts: 1 where no connection could have found it.
   double directShare(Path& path, const tracer::Hit& hit) const;
+  /// Some `wanted` rays as the luminaires emit them, where they meet the first matt surface.
+  [[nodiscard]] std::vector<LandedLight> landLight(std::size_t wanted) const;
   void findSpots(double area);
   void findCaustics(std::size_t nodes, double accuracy);
   /// visit(arrival, filter) for what comes to a point from small luminaires by curved mirrors and through solid glass.
