@@ -3,8 +3,8 @@
 //
 // A cosine-distributed direction meets a spot of 8 cm on a ceiling 4.5 m away once in ten thousand times. So points are
 // also connected to places of the spots, as they are to lights, for the direct light that is reflected there. Both ways
-// find that light, and share it by the densities with which each chooses a direction (balance heuristic, E. Veach 1997):
-// the expectation stays what it was, wherever the spots are and however roughly they were found. World frame of
+// find that light, and share it by the densities with which each chooses a direction (balance heuristic, E. Veach
+// 1997): the expectation stays what it was, wherever the spots are and however roughly they were found. World frame of
 // scene::World, metres.
 //
 // Spots are rectangles. They are found by light sent out from the emitters: what lands on a surface is halved until few

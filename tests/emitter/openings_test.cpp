@@ -38,6 +38,10 @@ std::vector<Opening> openings() {
     list.push_back({.shape = Shape::cylinder, .height = 0.7, .diameter = 0.2, .along = along});
   }
   list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2});
+  // With its back, or a side and an end, against surfaces.
+  list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2, .covered = 1u << 5});
+  list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2, .covered = 1u << 0 | 1u << 3});
+  list.push_back({.shape = Shape::cylinder, .height = 0.2, .diameter = 0.6, .covered = 1u << 5});
   list.push_back({.shape = Shape::sphere, .length = 0.6, .width = 0.3, .height = 0.2});
   // A drop, and a cylinder with its caps.
   list.push_back(
@@ -90,8 +94,8 @@ TEST(LongOpenings, AreSampledEvenlyFromMillimetresAway) {
                                      {.shape = Shape::tube, .length = 1.2, .diameter = 0.026, .axis = {1, 0, 0}}};
   for (const Opening& opening : battens) {
     const auto emitter = makeEmitter(opening, Vec3(0), output(true));
-    for (const Vec3& point : {Vec3(0.1, 0, 0.03), Vec3(0.59, 0, 0.03), Vec3(0.3, 0.035, 0.001), Vec3(0.603, 0.002, 0.02),
-                              Vec3(0.5, 0.2, 0.03), Vec3(0.62, 0.04, 0.03)}) {
+    for (const Vec3& point : {Vec3(0.1, 0, 0.03), Vec3(0.59, 0, 0.03), Vec3(0.3, 0.035, 0.001),
+                              Vec3(0.603, 0.002, 0.02), Vec3(0.5, 0.2, 0.03), Vec3(0.62, 0.04, 0.03)}) {
       constexpr std::uint32_t samples = 4096;
       double sum = 0, squares = 0;
       for (std::uint32_t i = 0; i < samples; ++i) {
