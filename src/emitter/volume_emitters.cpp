@@ -94,26 +94,10 @@ class BoxEmitter final : public OpeningEmitter {
     setEmittingArea(area);
   }
 
-  // One of the up to three faces that the point sees, by the projected area seen; then a point of it.
   [[nodiscard]] IncidentLight sample(const Vec3& point, const Vec2& u) const override {
     const Vec3 toCenter = center_ - point;
-    if (glm::dot(toCenter, toCenter) < nearLengths * nearLengths * size_ * size_) return sampleDirection(point, u);
-    std::array<double, 6> weight{};
-    double sum = 0;
-    for (int face = 0; face < 6; ++face) {
-      const Vec3 normal = faceNormal(face), toPoint = point - faceCenter(face);
-      const double height = glm::dot(normal, toPoint);
-      if (height > 0) weight[static_cast<unsigned>(face)] = areaOf(face) * height / glm::length(toPoint);
-      sum += weight[static_cast<unsigned>(face)];
-    }
-    if (sum == 0) return {};
-    double pick = u.x * sum;
-    int face = 0;
-    while (face < 5 && pick >= weight[static_cast<unsigned>(face)]) pick -= weight[static_cast<unsigned>(face++)];
-    const double chosen = weight[static_cast<unsigned>(face)];
-    if (chosen == 0) return {};
-    const Element e = element(face, {std::min(pick / chosen, 1.0), u.y}, point);
-    return fromElement(point, e.point, e.normal, chosen / sum / areaOf(face));
+    const bool near = glm::dot(toCenter, toCenter) < nearLengths * nearLengths * size_ * size_;
+    return near ? sampleDirection(point, u) : samplePlace(point, u);
   }
 
   [[nodiscard]] double luminance(const Vec3& normal, const Vec3& direction) const override {
@@ -139,6 +123,26 @@ class BoxEmitter final : public OpeningEmitter {
   }
 
  private:
+  /// One of the up to three faces that the point sees, by the projected area seen; then a point of it.
+  [[nodiscard]] IncidentLight samplePlace(const Vec3& point, const Vec2& u) const {
+    std::array<double, 6> weight{};
+    double sum = 0;
+    for (int face = 0; face < 6; ++face) {
+      const Vec3 normal = faceNormal(face), toPoint = point - faceCenter(face);
+      const double height = glm::dot(normal, toPoint);
+      if (height > 0) weight[static_cast<unsigned>(face)] = areaOf(face) * height / glm::length(toPoint);
+      sum += weight[static_cast<unsigned>(face)];
+    }
+    if (sum == 0) return {};
+    double pick = u.x * sum;
+    int face = 0;
+    while (face < 5 && pick >= weight[static_cast<unsigned>(face)]) pick -= weight[static_cast<unsigned>(face++)];
+    const double chosen = weight[static_cast<unsigned>(face)];
+    if (chosen == 0) return {};
+    const Element e = element(face, {std::min(pick / chosen, 1.0), u.y}, point);
+    return fromElement(point, e.point, e.normal, chosen / sum / areaOf(face));
+  }
+
   /// A direction, evenly over the solid angle of the faces that the point sees. Beside a batten places of a face would
   /// not do: on the ceiling a centimetre away, the inverse square of a few of them is nearly all of the light.
   [[nodiscard]] IncidentLight sampleDirection(const Vec3& point, const Vec2& u) const {
@@ -152,10 +156,11 @@ class BoxEmitter final : public OpeningEmitter {
       const Vec3 corner =
           center_ - axes_[axis] * std::copysign(half_[axis], along) - axes_[a] * half_[a] - axes_[b] * half_[b];
       seen[axis].emplace(corner, axes_[a] * (2 * half_[a]), axes_[b] * (2 * half_[b]), point);
-      if (!(seen[axis]->solidAngle() > 0)) seen[axis].reset();  // on edge, within rounding
+      if (!seen[axis]->isSound()) seen[axis].reset();
       if (seen[axis]) sum += seen[axis]->solidAngle();
     }
-    if (!(sum > 0)) return {};
+    // What is left out beside this is a thousandth; a box seen so small is no near one.
+    if (!(sum > 1e-3)) return samplePlace(point, u);
     double pick = u.x * sum;
     unsigned chosen = 3;
     for (unsigned axis = 0; axis < 3; ++axis) {

@@ -56,7 +56,8 @@ std::uint8_t coveredFaces(const World& world, const Opening& opening, const phot
     const Vec3 middle = center + face.normal * half[axis];
     face.points[0] = middle;
     for (std::size_t i = 0; i < 4; ++i)
-      face.points[i + 1] = middle + axes[u] * (half[u] * (i % 2 == 0 ? 0.5 : -0.5)) + axes[v] * (half[v] * (i < 2 ? 0.5 : -0.5));
+      face.points[i + 1] =
+          middle + axes[u] * (half[u] * (i % 2 == 0 ? 0.5 : -0.5)) + axes[v] * (half[v] * (i < 2 ? 0.5 : -0.5));
     faces.push_back(face);
   }
   for (std::size_t t = 0; t < world.triangles.size(); ++t) {
