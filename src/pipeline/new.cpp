@@ -77,7 +77,7 @@ double drop(const photometry::StatedOpening& opening) {
 
 // Light that goes up needs room to come down again: a luminaire is hung where more than this share of its light goes
 // up.
-constexpr double upwardShareToHang = 0.35, usualSuspension = 0.5, mostSuspension = 0.25;
+constexpr double upwardShareToHang = 0.4, usualSuspension = 0.5, mostSuspension = 0.25;
 
 double upwardShare(const photometry::TabulatedDistribution& distribution) {
   const auto zones = photometry::zonalLumens(distribution);
@@ -257,7 +257,7 @@ Stage newStage() {
       textOption("target", "mean illuminance", "500", "maintained, lx", false),
       textOption("maintenance", "maintenance factor", "0.8", "of the luminaires", false),
       textOption("suspension", "gap between ceiling and luminaires", "auto",
-                 "metres; auto: 0, or 0.5 m where more than a third of their light goes up", false),
+                 "metres; auto: 0, or 0.5 m where more than 40 % of their light goes up", false),
       textOption("work-plane", "height of the work plane", "0.8", "metres above the floor", false)};
   stage.run = run;
   return stage;
