@@ -66,6 +66,7 @@ class RectangleEmitter final : public FlatOpening {
     if (glm::dot(toCenter, toCenter) > nearLengths * nearLengths * size_ * size_ || height < 1e-9 * size_)
       return fromElement(point, corner_ + edgeX_ * u.x + edgeY_ * u.y, axis_, 1 / area_);
     const SphericalRectangle rectangle(corner_, edgeX_, edgeY_, point);
+    if (!rectangle.isSound()) return fromElement(point, corner_ + edgeX_ * u.x + edgeY_ * u.y, axis_, 1 / area_);
     const Vec3 toElement = rectangle.sample(u) - point;
     const double squared = glm::dot(toElement, toElement), distance = std::sqrt(squared);
     const Vec3 direction = toElement / distance;
@@ -113,6 +114,7 @@ class DiscEmitter final : public FlatOpening {
       return fromElement(point, onDisc(u), axis_, 1 / area_);
     // Directions over the rectangle about the disc; what misses the disc carries no light.
     const SphericalRectangle rectangle(center_ - x_ - y_, x_ * 2.0, y_ * 2.0, point);
+    if (!rectangle.isSound()) return fromElement(point, onDisc(u), axis_, 1 / area_);
     const Vec3 element = rectangle.sample(u);
     const Vec3 fromCenter = element - center_, toElement = element - point;
     const double a = glm::dot(fromCenter, x_) / glm::dot(x_, x_), b = glm::dot(fromCenter, y_) / glm::dot(y_, y_);

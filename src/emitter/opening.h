@@ -1,6 +1,7 @@
 // Opening: the luminous opening of a luminaire as geometry, in the luminaire frame (C0, C90, aim). Lengths in metres.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/vector.h"
@@ -21,6 +22,10 @@ struct Opening {
   double length = 0, width = 0, height = 0, diameter = 0;
   core::Vec3 axis{1, 0, 0};  ///< tube and line: unit, WORLD direction (as in the project file)
   Along along = Along::aim;
+  /// Faces of a box, and caps of a round cylinder, that lie against a surface and let no light out: bit 2 i for the one
+  /// towards axis i (x, y, z), bit 2 i + 1 for the one opposite. The others then emit all of the light.
+  std::uint8_t covered = 0;
+  [[nodiscard]] bool isCovered(int face) const { return (covered >> face & 1) != 0; }
   std::vector<core::Vec2> profile = {};  ///< revolution: (radius, place along the aim), convex, outside on its right
 };
 

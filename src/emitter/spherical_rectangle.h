@@ -13,6 +13,8 @@ class SphericalRectangle {
                      const core::Vec3& origin);
   /// Solid angle, sr.
   [[nodiscard]] double solidAngle() const { return solidAngle_; }
+  /// False where it is seen so nearly on edge that rounding (some 1e-8 sr) is of the solid angle's own size.
+  [[nodiscard]] bool isSound() const { return solidAngle_ > 1e-6; }
   /// The point of the rectangle for u in [0,1)^2; its density is uniform over the solid angle.
   [[nodiscard]] core::Vec3 sample(const core::Vec2& u) const;
 

@@ -16,7 +16,8 @@ namespace {
 using core::Vec2;
 using core::Vec3;
 
-// Nearer to a box than this many of its lengths, directions are sampled instead of places; they cost three times as much.
+// Nearer to a box than this many of its lengths, directions are sampled instead of places; they cost three times as
+// much.
 constexpr double nearLengths = 1.5;
 
 class SphereEmitter final : public OpeningEmitter {
@@ -83,20 +84,53 @@ class BoxEmitter final : public OpeningEmitter {
         axes_{axesOf(opening, output.frame).x, axesOf(opening, output.frame).y, axesOf(opening, output.frame).z},
         half_{0.5 * opening.length, 0.5 * opening.width, 0.5 * opening.height},
         size_(std::max({opening.length, opening.width, opening.height})) {
-    for (int i = 0; i < 3; ++i) faceArea_[i] = 4 * half_[(i + 1) % 3] * half_[(i + 2) % 3];
-    setEmittingArea(2 * (faceArea_[0] + faceArea_[1] + faceArea_[2]));
+    double area = 0;
+    for (int face = 0; face < 6; ++face) {
+      const auto axis = static_cast<unsigned>(face / 2);
+      faceArea_[static_cast<unsigned>(face)] =
+          opening.isCovered(face) ? 0 : 4 * half_[(axis + 1) % 3] * half_[(axis + 2) % 3];
+      area += faceArea_[static_cast<unsigned>(face)];
+    }
+    setEmittingArea(area);
   }
 
-  // One of the up to three faces that the point sees, by the projected area seen; then a point of it.
   [[nodiscard]] IncidentLight sample(const Vec3& point, const Vec2& u) const override {
     const Vec3 toCenter = center_ - point;
-    if (glm::dot(toCenter, toCenter) < nearLengths * nearLengths * size_ * size_) return sampleDirection(point, u);
+    const bool near = glm::dot(toCenter, toCenter) < nearLengths * nearLengths * size_ * size_;
+    return near ? sampleDirection(point, u) : samplePlace(point, u);
+  }
+
+  [[nodiscard]] double luminance(const Vec3& normal, const Vec3& direction) const override {
+    return faceArea_[faceTowards(normal)] > 0 ? OpeningEmitter::luminance(normal, direction) : 0;
+  }
+
+ protected:
+  [[nodiscard]] double projectedArea(const Vec3& direction) const override {
+    double area = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+      const double cosine = glm::dot(axes_[i], direction);
+      area += faceArea_[2 * i + (cosine < 0 ? 1 : 0)] * std::abs(cosine);
+    }
+    return area;
+  }
+  [[nodiscard]] int patchCount() const override { return 6; }
+  [[nodiscard]] Element element(int face, const Vec2& uv, const Vec3& point) const override {
+    const Vec3 normal = faceNormal(face);
+    if (areaOf(face) == 0 || glm::dot(normal, point - faceCenter(face)) <= 0) return {};
+    const auto a = static_cast<unsigned>((face / 2 + 1) % 3), b = static_cast<unsigned>((face / 2 + 2) % 3);
+    const Vec3 at = faceCenter(face) + axes_[a] * (half_[a] * (2 * uv.x - 1)) + axes_[b] * (half_[b] * (2 * uv.y - 1));
+    return {at, normal, areaOf(face)};
+  }
+
+ private:
+  /// One of the up to three faces that the point sees, by the projected area seen; then a point of it.
+  [[nodiscard]] IncidentLight samplePlace(const Vec3& point, const Vec2& u) const {
     std::array<double, 6> weight{};
     double sum = 0;
     for (int face = 0; face < 6; ++face) {
       const Vec3 normal = faceNormal(face), toPoint = point - faceCenter(face);
       const double height = glm::dot(normal, toPoint);
-      if (height > 0) weight[static_cast<unsigned>(face)] = faceArea_[face / 2] * height / glm::length(toPoint);
+      if (height > 0) weight[static_cast<unsigned>(face)] = areaOf(face) * height / glm::length(toPoint);
       sum += weight[static_cast<unsigned>(face)];
     }
     if (sum == 0) return {};
@@ -106,25 +140,9 @@ class BoxEmitter final : public OpeningEmitter {
     const double chosen = weight[static_cast<unsigned>(face)];
     if (chosen == 0) return {};
     const Element e = element(face, {std::min(pick / chosen, 1.0), u.y}, point);
-    return fromElement(point, e.point, e.normal, chosen / sum / faceArea_[face / 2]);
+    return fromElement(point, e.point, e.normal, chosen / sum / areaOf(face));
   }
 
- protected:
-  [[nodiscard]] double projectedArea(const Vec3& direction) const override {
-    double area = 0;
-    for (int i = 0; i < 3; ++i) area += faceArea_[i] * std::abs(glm::dot(axes_[static_cast<unsigned>(i)], direction));
-    return area;
-  }
-  [[nodiscard]] int patchCount() const override { return 6; }
-  [[nodiscard]] Element element(int face, const Vec2& uv, const Vec3& point) const override {
-    const Vec3 normal = faceNormal(face);
-    if (glm::dot(normal, point - faceCenter(face)) <= 0) return {};
-    const auto a = static_cast<unsigned>((face / 2 + 1) % 3), b = static_cast<unsigned>((face / 2 + 2) % 3);
-    const Vec3 at = faceCenter(face) + axes_[a] * (half_[a] * (2 * uv.x - 1)) + axes_[b] * (half_[b] * (2 * uv.y - 1));
-    return {at, normal, faceArea_[face / 2]};
-  }
-
- private:
   /// A direction, evenly over the solid angle of the faces that the point sees. Beside a batten places of a face would
   /// not do: on the ceiling a centimetre away, the inverse square of a few of them is nearly all of the light.
   [[nodiscard]] IncidentLight sampleDirection(const Vec3& point, const Vec2& u) const {
@@ -133,15 +151,16 @@ class BoxEmitter final : public OpeningEmitter {
     for (unsigned axis = 0; axis < 3; ++axis) {
       const Vec3 toCenter = center_ - point;
       const double along = glm::dot(axes_[axis], toCenter);
-      if (std::abs(along) <= half_[axis] * (1 + 1e-9)) continue;
+      if (std::abs(along) <= half_[axis] * (1 + 1e-9) || faceArea_[2 * axis + (along > 0 ? 1 : 0)] == 0) continue;
       const unsigned a = (axis + 1) % 3, b = (axis + 2) % 3;
-      const Vec3 corner = center_ - axes_[axis] * std::copysign(half_[axis], along) - axes_[a] * half_[a] -
-                          axes_[b] * half_[b];
+      const Vec3 corner =
+          center_ - axes_[axis] * std::copysign(half_[axis], along) - axes_[a] * half_[a] - axes_[b] * half_[b];
       seen[axis].emplace(corner, axes_[a] * (2 * half_[a]), axes_[b] * (2 * half_[b]), point);
-      if (!(seen[axis]->solidAngle() > 0)) seen[axis].reset();  // on edge, within rounding
+      if (!seen[axis]->isSound()) seen[axis].reset();
       if (seen[axis]) sum += seen[axis]->solidAngle();
     }
-    if (!(sum > 0)) return {};
+    // What is left out beside this is a thousandth; a box seen so small is no near one.
+    if (!(sum > 1e-3)) return samplePlace(point, u);
     double pick = u.x * sum;
     unsigned chosen = 3;
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -154,10 +173,17 @@ class BoxEmitter final : public OpeningEmitter {
     const Vec3 toElement = seen[chosen]->sample({share, u.y}) - point;
     const double distance = glm::length(toElement);
     const Vec3 direction = toElement / distance;
-    const double luminance = intensity(-direction) / projectedArea(direction);
-    return {direction, distance, luminance * sum};
+    const double area = projectedArea(-direction);
+    return {direction, distance, area > 0 ? intensity(-direction) / area * sum : 0};
   }
 
+  [[nodiscard]] double areaOf(int face) const { return faceArea_[static_cast<unsigned>(face)]; }
+  [[nodiscard]] unsigned faceTowards(const Vec3& normal) const {
+    const Vec3 local =
+        glm::abs(Vec3(glm::dot(axes_[0], normal), glm::dot(axes_[1], normal), glm::dot(axes_[2], normal)));
+    const unsigned axis = local.x >= local.y && local.x >= local.z ? 0 : local.y >= local.z ? 1 : 2;
+    return 2 * axis + (glm::dot(axes_[axis], normal) < 0 ? 1 : 0);
+  }
   [[nodiscard]] Vec3 faceNormal(int face) const {
     const Vec3& axis = axes_[static_cast<unsigned>(face / 2)];
     return face % 2 == 0 ? axis : -axis;
@@ -169,7 +195,7 @@ class BoxEmitter final : public OpeningEmitter {
   std::array<Vec3, 3> axes_;
   std::array<double, 3> half_;
   double size_;
-  double faceArea_[3];
+  std::array<double, 6> faceArea_;  ///< 0: covered
 };
 
 class CylinderEmitter final : public OpeningEmitter {
@@ -181,15 +207,17 @@ class CylinderEmitter final : public OpeningEmitter {
         length_(caps ? opening.height : opening.length),
         radius_(0.5 * (caps ? diametersOf(opening).x : opening.diameter)),
         caps_(caps) {
-    capArea_ = caps ? core::pi * radius_ * radius_ : 0.0;
-    setEmittingArea(2 * core::pi * radius_ * length_ + 2 * capArea_);
+    for (const int below : {0, 1})
+      capArea_[static_cast<unsigned>(below)] = caps && !opening.isCovered(4 + below) ? core::pi * radius_ * radius_ : 0;
+    setEmittingArea(2 * core::pi * radius_ * length_ + capArea_[0] + capArea_[1]);
   }
 
   [[nodiscard]] IncidentLight sample(const Vec3& point, const Vec2& u) const override {
     const Seen seen = look(point);
     const double side =
         seen.visible > 0 ? 2 * radius_ * length_ * seen.distance / std::hypot(seen.distance, seen.along) : 0;
-    const double cap = seen.capFaces ? capArea_ * (std::abs(seen.along) - 0.5 * length_) /
+    const double capArea = capArea_[seen.along < 0 ? 1 : 0];
+    const double cap = seen.capFaces ? capArea * (std::abs(seen.along) - 0.5 * length_) /
                                            std::hypot(seen.distance, std::abs(seen.along) - 0.5 * length_)
                                      : 0;
     if (side + cap <= 0) return {};
@@ -204,13 +232,13 @@ class CylinderEmitter final : public OpeningEmitter {
     const double r = radius_ * std::sqrt((u.x - pSide) / (1 - pSide)), phi = 2 * core::pi * u.y;
     const Vec3 normal = seen.along > 0 ? axis_ : -axis_;
     const Vec3 at = center_ + normal * (0.5 * length_) + (seen.x * std::cos(phi) + seen.y * std::sin(phi)) * r;
-    return fromElement(point, at, normal, (1 - pSide) / capArea_);
+    return fromElement(point, at, normal, (1 - pSide) / capArea);
   }
 
  protected:
   [[nodiscard]] double projectedArea(const Vec3& direction) const override {
-    const double cosine = std::min(1.0, std::abs(glm::dot(axis_, direction)));
-    return 2 * radius_ * length_ * std::sqrt(1 - cosine * cosine) + capArea_ * cosine;
+    const double along = glm::dot(axis_, direction), cosine = std::min(1.0, std::abs(along));
+    return 2 * radius_ * length_ * std::sqrt(1 - cosine * cosine) + capArea_[along < 0 ? 1 : 0] * cosine;
   }
   [[nodiscard]] int patchCount() const override { return caps_ ? 2 : 1; }
   // Patch 0: the arc of the side that faces the point; patch 1: the cap that faces it.
@@ -255,7 +283,8 @@ class CylinderEmitter final : public OpeningEmitter {
     const double axial = glm::dot(d, axis_);
     const Vec3 sideways = d - axis_ * axial;
     const double distance = glm::length(sideways);
-    Seen seen{distance, axial, 0, caps_ && std::abs(axial) > 0.5 * length_, {}, {}};
+    const bool capFaces = std::abs(axial) > 0.5 * length_ && capArea_[axial < 0 ? 1 : 0] > 0;
+    Seen seen{distance, axial, 0, capFaces, {}, {}};
     if (distance > radius_) {
       seen.visible = std::acos(radius_ / distance);
       seen.x = sideways / distance;
@@ -267,7 +296,8 @@ class CylinderEmitter final : public OpeningEmitter {
   }
 
   Vec3 axis_;
-  double length_, radius_, capArea_;
+  double length_, radius_;
+  std::array<double, 2> capArea_;  ///< towards the axis and opposite; 0: none, or covered
   bool caps_;
 };
 

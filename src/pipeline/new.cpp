@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 
+#include "photometry/metrics.h"
 #include "photometry/photometric_file.h"
 #include "pipeline/lumen_method.h"
 #include "pipeline/stages.h"
@@ -71,6 +73,29 @@ FoundFile findLuminaire(const std::string& name) {
 // Height of the luminous opening's centre below the plane that the luminaire hangs from.
 double drop(const photometry::StatedOpening& opening) {
   return 0.5 * opening.height;
+}
+
+// Light that goes up needs room to come down again: a luminaire is hung where more than this share of its light goes
+// up.
+constexpr double upwardShareToHang = 0.4, usualSuspension = 0.5, mostSuspension = 0.25;
+
+double upwardShare(const photometry::TabulatedDistribution& distribution) {
+  const auto zones = photometry::zonalLumens(distribution);
+  const double up = std::accumulate(zones.begin() + 9, zones.end(), 0.0);
+  return up / std::accumulate(zones.begin(), zones.end(), 0.0);
+}
+
+/// Between the ceiling and the top of the luminaire, m.
+double suspensionOf(const StageRequest& request, const RoomForLayout& room,
+                    const photometry::TabulatedDistribution& distribution) {
+  const std::string asked = option(request, "suspension", "auto");
+  if (asked != "auto") {
+    const double suspension = numberFrom(asked, "suspension");
+    if (!(suspension >= 0)) refuse("--suspension must not be negative");
+    return suspension;
+  }
+  if (upwardShare(distribution) <= upwardShareToHang) return 0;
+  return std::min(usualSuspension, mostSuspension * (room.height - room.workPlane));
 }
 
 // Points along an edge, EN 12464-1: steps of at most 0.2 * 5^log10(d), d the edge or 10 m.
@@ -166,7 +191,8 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
   const photometry::PhotometricFile file = photometry::readPhotometricFile(luminaire.path.string());
   room.flux_lm = file.distribution->flux();
   if (!(room.flux_lm > 0)) refuse("--luminaire: the file's luminous flux is 0; take another");
-  room.mounting = room.height - drop(file.opening);
+  const double suspension = suspensionOf(request, room, *file.distribution);
+  room.mounting = room.height - suspension - drop(file.opening);
   if (!(room.mounting > room.workPlane)) refuse("the luminaires would hang below the work plane; make the room higher");
   const Layout layout = layoutFor(room, *file.distribution, target);
 
@@ -190,19 +216,24 @@ StageReport run(const StageRequest& request, core::ProgressSink&) {
   report.warnings = file.warnings;
 
   report.json.set("project", target_file.string());
+  report.json.set("suspension_m", suspension);
   report.json.set("counts", Value::Array{layout.along, layout.across});
   report.json.set("luminaires", layout.along * layout.across);
   report.json.set("utilisation", layout.utilisation);
   report.json.set("room_index", layout.roomIndex);
   report.json.set("spacing_to_height", layout.spacingToHeight);
   report.json.set("expected_mean_lx", layout.meanIlluminance_lx);
+  const double up = upwardShare(*file.distribution);
+  const std::string hung = suspension > 0 ? fmt::format("{:.2f} m below the ceiling; {:.0f} % of their light goes up\n",
+                                                        suspension, 100 * up)
+                                          : "";
   report.text = fmt::format(
-      "{}: {} x {} luminaires of {:.0f} lm, steps {:.2f} m and {:.2f} m\n"
+      "{}: {} x {} luminaires of {:.0f} lm, steps {:.2f} m and {:.2f} m\n{}"
       "lumen method: room index {:.2f}, utilisation {:.2f}, maintenance {}, about {:.0f} lx on the work plane\n"
       "next: goniolux run {}\n",
       target_file.string(), layout.along, layout.across, room.flux_lm, room.length / layout.along,
-      room.width / layout.across, layout.roomIndex, layout.utilisation, room.maintenance, layout.meanIlluminance_lx,
-      folder.string());
+      room.width / layout.across, hung, layout.roomIndex, layout.utilisation, room.maintenance,
+      layout.meanIlluminance_lx, folder.string());
   return report;
 }
 
@@ -213,7 +244,8 @@ Stage newStage() {
   stage.name = "new";
   stage.title = "Begin a project";
   stage.help =
-      "`goniolux new room` writes a project with a rectangular room, luminaires of one kind in rows on its ceiling, a "
+      "`goniolux new room` writes a project with a rectangular room, luminaires of one kind in rows on or below its "
+      "ceiling, a "
       "grid on the work plane, a view and the requirement, into the folder given with -o (default: room). The number "
       "of "
       "luminaires follows from the lumen method: the fewest whose maintained mean illuminance reaches the target.";
@@ -224,6 +256,8 @@ Stage newStage() {
       textOption("reflectances", "reflectances", "0.7/0.5/0.2", "ceiling/walls/floor", false),
       textOption("target", "mean illuminance", "500", "maintained, lx", false),
       textOption("maintenance", "maintenance factor", "0.8", "of the luminaires", false),
+      textOption("suspension", "gap between ceiling and luminaires", "auto",
+                 "metres; auto: 0, or 0.5 m where more than 40 % of their light goes up", false),
       textOption("work-plane", "height of the work plane", "0.8", "metres above the floor", false)};
   stage.run = run;
   return stage;

@@ -10,6 +10,7 @@
 #include "geometry/queries.h"
 #include "geometry/revolution.h"
 #include "geometry/texture_coordinates.h"
+#include "scene/covered_faces.h"
 #include "scene/housing.h"
 
 namespace goniolux::scene {
@@ -235,7 +236,8 @@ class Builder {
   void addLuminaire(std::uint32_t index) {
     const Luminaire& luminaire = environment_.luminaires[index];
     Vec3 center = luminaire.center - world_.origin;
-    const Opening& opening = luminaire.opening;
+    Opening opening = luminaire.opening;
+    opening.covered = coveredFaces(world_, opening, luminaire.frame, center);
     const bool flat = opening.shape == Opening::Shape::rectangle || opening.shape == Opening::Shape::disc;
     if (const Vec3 normal = emitter::axesOf(opening, luminaire.frame).z; flat && liesOnSurface(center, normal))
       center += (opening.along == Opening::Along::aim ? normal : luminaire.frame.aim) * (4e-6 * world_.radius);

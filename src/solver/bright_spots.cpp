@@ -11,11 +11,8 @@ using core::Vec3;
 
 namespace {
 
-constexpr std::size_t fewestArrivals = 12;  // in a part: its brightness is known to about a third
-constexpr double brighter = 8;              // than the mean of all surfaces
-constexpr double leastGain = 8;       // of what the spots add to the relative variance of a cosine-chosen direction
-constexpr double worthParting = 1.5;  // gain in the same measure
-constexpr std::size_t mostSpots = 64;
+constexpr double leastGain = 8;  // of what the spots add to the relative variance of a cosine-chosen direction
+constexpr std::size_t mostSpots = 128;
 constexpr double largestShare = 0.5, smallestShare = 0.1;
 
 /// About a normal, with x along an axis of the scene as far as the plane allows.
@@ -44,7 +41,11 @@ int facing(const Vec3& normal) {
 
 }  // namespace
 
-BrightSpots::BrightSpots(std::vector<LandedLight> landed, double area) {
+// Of a few arrivals the brightness is known to a third, and chance alone seems to concentrate them.
+const BrightSpots::Detail BrightSpots::coarse{12, 8, 1.5};
+const BrightSpots::Detail BrightSpots::fine{96, 3, 1.15};
+
+BrightSpots::BrightSpots(std::vector<LandedLight> landed, double area, const Detail& detail) {
   std::stable_sort(landed.begin(), landed.end(), [](const LandedLight& a, const LandedLight& b) {
     return a.surface != b.surface ? a.surface < b.surface : facing(a.normal) < facing(b.normal);
   });
@@ -52,16 +53,16 @@ BrightSpots::BrightSpots(std::vector<LandedLight> landed, double area) {
   for (const LandedLight& l : landed) light += l.reflected;
   if (!(light > 0) || !(area > 0)) return;
   // No spot is left out for there being many: they are cut less finely then.
-  for (std::size_t fewest = fewestArrivals;; fewest *= 2) {
+  for (std::size_t fewest = detail.fewest;; fewest *= 2) {
     spots_.clear();
     double all = light * light / area, bright = 0;
     for (std::size_t i = 0, next = 0; i < landed.size(); i = next) {
       while (next < landed.size() && landed[next].surface == landed[i].surface &&
              facing(landed[next].normal) == facing(landed[i].normal))
         ++next;
-      for (const Spot& s : partsOf(landed.data() + i, next - i, fewest)) {
+      for (const Spot& s : partsOf(landed.data() + i, next - i, fewest, detail.worthParting)) {
         all += s.spread();
-        if (s.reflected / s.area < brighter * light / area) continue;
+        if (s.reflected / s.area < detail.brighter * light / area) continue;
         bright += s.spread();
         spots_.push_back(s);
       }
@@ -97,7 +98,8 @@ BrightSpots::Spot BrightSpots::around(const LandedLight* first, std::size_t coun
   return spot;
 }
 
-std::vector<BrightSpots::Spot> BrightSpots::partsOf(LandedLight* first, std::size_t count, std::size_t fewest) {
+std::vector<BrightSpots::Spot> BrightSpots::partsOf(LandedLight* first, std::size_t count, std::size_t fewest,
+                                                    double worthParting) {
   if (count < fewest) return {};
   const Spot whole = around(first, count);
   if (count < 2 * fewest) return {whole};
@@ -132,8 +134,8 @@ std::vector<BrightSpots::Spot> BrightSpots::partsOf(LandedLight* first, std::siz
     });
   }
   sortAlong(first, count, bestAxis);
-  std::vector<Spot> parts = partsOf(first, cut, fewest);
-  const std::vector<Spot> others = partsOf(first + cut, count - cut, fewest);
+  std::vector<Spot> parts = partsOf(first, cut, fewest, worthParting);
+  const std::vector<Spot> others = partsOf(first + cut, count - cut, fewest, worthParting);
   parts.insert(parts.end(), others.begin(), others.end());
   // What is evenly bright stays whole.
   double spread = 0;

@@ -1,10 +1,10 @@
 // BrightSpots: small bright places of matt surfaces (the pool of a narrow spotlight, the batten beside its tube), as
-// targets for a share of the directions that a path takes.
+// secondary sources that the points of a path are connected to.
 //
-// A cosine-distributed direction meets a spot of 8 cm on a ceiling 4.5 m away once in ten thousand times. So part of
-// the directions is chosen towards the spots. Which way of choosing a direction came from does not matter: it is
-// weighed by the density with which both ways together choose it (one-sample balance heuristic, E. Veach 1997), so the
-// expectation stays what it was, wherever the spots are and however roughly they were found. World frame of
+// A cosine-distributed direction meets a spot of 8 cm on a ceiling 4.5 m away once in ten thousand times. So points are
+// also connected to places of the spots, as they are to lights, for the direct light that is reflected there. Both ways
+// find that light, and share it by the densities with which each chooses a direction (balance heuristic, E. Veach
+// 1997): the expectation stays what it was, wherever the spots are and however roughly they were found. World frame of
 // scene::World, metres.
 //
 // Spots are rectangles. They are found by light sent out from the emitters: what lands on a surface is halved until few
@@ -28,13 +28,22 @@ struct LandedLight {
 
 class BrightSpots {
  public:
+  /// How finely spots are cut.
+  struct Detail {
+    std::size_t fewest;   ///< arrivals in a part
+    double brighter;      ///< than the mean of all surfaces: what is kept
+    double worthParting;  ///< gain in concentration that a cut must bring
+  };
+  static const Detail coarse;  ///< to find out whether there are any, with a few thousand arrivals
+  static const Detail fine;    ///< for ten times as many
+
   BrightSpots() = default;
   /// `area`: of all surfaces, m2.
-  BrightSpots(std::vector<LandedLight> landed, double area);
+  BrightSpots(std::vector<LandedLight> landed, double area, const Detail& detail = coarse);
 
   [[nodiscard]] bool empty() const { return spots_.empty(); }
   [[nodiscard]] std::size_t size() const { return spots_.size(); }
-  /// Share of the directions that is worth choosing towards the spots.
+  /// Share of a path's points that are worth connecting.
   [[nodiscard]] double share() const { return share_; }
 
   /// A choice of directions for one point of a matt surface.
@@ -61,7 +70,7 @@ class BrightSpots {
   };
   [[nodiscard]] static Spot around(const LandedLight* first, std::size_t count);
   /// The parts that light on one surface is best cut into; none of fewer than `fewest` arrivals.
-  static std::vector<Spot> partsOf(LandedLight* first, std::size_t count, std::size_t fewest);
+  static std::vector<Spot> partsOf(LandedLight* first, std::size_t count, std::size_t fewest, double worthParting);
   [[nodiscard]] static double importance(const Spot& spot, const core::Vec3& origin, const core::Vec3& normal);
 
   std::vector<Spot> spots_;  ///< by surface

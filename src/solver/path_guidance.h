@@ -1,4 +1,4 @@
-// The path kernel's share of directions towards bright spots. Part of path_kernel.cpp.
+// The path kernel's connections to bright spots. Part of path_kernel.cpp.
 #pragma once
 
 #include "solver/directions.h"
@@ -10,18 +10,18 @@ namespace goniolux::solver {
 namespace {
 
 constexpr std::size_t raysForSpots = 4096, raysPerEmitter = 64, mostRaysForSpots = 65536;
+constexpr std::size_t raysForFineSpots = 32768;
 constexpr std::uint64_t spotKey = 0x5907;
 constexpr int mostSteps = 256;  // at finishes that are not diffuse
 
 }  // namespace
 
 template <int W>
-void PathSolver<W>::findSpots(double area) {
+std::vector<LandedLight> PathSolver<W>::landLight(std::size_t wanted) const {
   double flux = 0;
   for (const scene::LightSource& source : world_.emitters) flux += source.emitter->flux();
-  if (!(flux > 0)) return;
-  const std::size_t wanted = std::clamp(raysPerEmitter * world_.emitters.size(), raysForSpots, mostRaysForSpots);
   std::vector<LandedLight> landed;
+  if (!(flux > 0)) return landed;
   std::uint64_t rays = 0;
   std::uint32_t index = 0;
   for (const scene::LightSource& source : world_.emitters) {
@@ -42,36 +42,52 @@ void PathSolver<W>::findSpots(double area) {
     ++index;
   }
   rays_.fetch_add(rays, std::memory_order_relaxed);
-  spots_ = BrightSpots(std::move(landed), area);
+  return landed;
 }
 
 template <int W>
-bool PathSolver<W>::guide(Path& path, const Vertex& at, core::Sampler& random) const {
-  if (spots_.empty()) return true;
+void PathSolver<W>::findSpots(double area) {
+  const std::size_t wanted = std::clamp(raysPerEmitter * world_.emitters.size(), raysForSpots, mostRaysForSpots);
+  spots_ = BrightSpots(landLight(wanted), area);
+  if (spots_.empty()) return;
+  BrightSpots outlined(landLight(std::max(wanted, raysForFineSpots)), area, BrightSpots::fine);
+  if (!outlined.empty()) spots_ = std::move(outlined);
+}
+
+template <int W>
+void PathSolver<W>::addSpot(Response& sum, Path& path, const Vertex& at, Ending ending, core::Sampler& random,
+                            std::uint64_t& rays) const {
+  path.guidance.pending = false;
+  if (spots_.empty()) return;
   Guidance& guidance = path.guidance;
   guidance.choice = spots_.from(at.start, at.normal);
-  guidance.target = scene::none;
   guidance.pending = guidance.choice.total > 0;
-  if (!guidance.pending) return true;
+  // Direct light at the next vertex is no part of the remainder, by whichever way it is found.
+  if (!guidance.pending || ending == Ending::remainder) return;
   const double u = random.next();
-  if (u >= spots_.share()) return true;
-  return spots_.direction(guidance.choice, u / spots_.share(), random.next2(), path.direction, guidance.target);
+  if (u >= spots_.share()) return;
+  Path connection = path;
+  connection.direct = nullptr;
+  std::uint32_t target = scene::none;
+  if (!spots_.direction(guidance.choice, u / spots_.share(), random.next2(), connection.direction, target)) return;
+  Meeting met;
+  if (!meet(connection, met, rays) || met.hit.surface != target) return;
+  const Vertex there = vertexAt(met.hit, connection.direction);
+  const core::Frame frame = frameAbout(there.normal);
+  connection.throughput *= static_cast<float>(directShare(connection, met.hit));
+  addDirect(sum, there, met, frame.toLocal(-connection.direction), {frame}, connection, false, random, rays);
 }
 
 template <int W>
-bool PathSolver<W>::weighGuidance(Path& path, const tracer::Hit& hit) const {
+double PathSolver<W>::directShare(Path& path, const tracer::Hit& hit) const {
   path.onSpot = false;
-  Guidance& guidance = path.guidance;
-  if (!guidance.pending) return true;
-  guidance.pending = false;
-  if (guidance.target != scene::none && guidance.target != hit.surface) return false;
-  const double byCosine = glm::dot(path.direction, guidance.choice.normal) / core::pi;
-  const double bySpots = spots_.density(guidance.choice, path.direction, hit.surface);
-  const double factor = byCosine / ((1 - spots_.share()) * byCosine + spots_.share() * bySpots);
-  path.throughput *= static_cast<float>(factor);
-  path.white *= factor;
-  path.onSpot = bySpots > 0;
-  return true;
+  if (!path.guidance.pending) return 1;
+  path.guidance.pending = false;
+  const double bySpots = spots_.density(path.guidance.choice, path.direction, hit.surface);
+  if (!(bySpots > 0)) return 1;
+  path.onSpot = true;
+  const double byCosine = glm::dot(path.direction, path.guidance.choice.normal) / core::pi;
+  return byCosine / (byCosine + spots_.share() * bySpots);
 }
 
 }  // namespace goniolux::solver

@@ -156,10 +156,24 @@ void PathSolver<W>::addCell(Response& sum, const CellAnswer& answer, const Spect
 }
 
 template <int W>
+void PathSolver<W>::addShared(Response& sum, const Vertex& at, const Meeting& met, const core::Frame& frame,
+                              const Vec3& out, const Path& path, double share, core::Sampler& random,
+                              std::uint64_t& rays) const {
+  if (share == 1) {
+    addDirect(sum, at, met, out, {frame}, path, false, random, rays);
+    return;
+  }
+  Path shared = path;
+  shared.throughput *= static_cast<float>(share);
+  addDirect(sum, at, met, out, {frame}, shared, false, random, rays);
+}
+
+template <int W>
 void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampler& random, std::uint64_t& rays) const {
   Meeting met;
   for (int reflections = 1; reflections <= mostReflections; ++reflections) {
-    if (!meet(path, met, rays) || !weighGuidance(path, met.hit)) return;
+    if (!meet(path, met, rays)) return;
+    const double share = directShare(path, met.hit);
     // What lies before the place where the path would have ended is no part of the remainder.
     if (ending != Ending::remainder) addEmitted(sum, path, met.hit);
     if (path.direct != nullptr) addEmitted(*path.direct, path, met.hit);
@@ -170,7 +184,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     if (ending != Ending::never && met.bsdf->isLambertian()) {
       if (const CellAnswer answer = cellAt(path, met.hit, at, random); answer.cell != LightSolution::none) {
         if (ending == Ending::solution) {
-          if (answer.withoutDirect) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
+          if (answer.withoutDirect) addShared(sum, at, met, frame, out, path, share, random, rays);
           if (path.white > 0) {
             const Response& known = answer.withoutDirect ? solution_->interreflectedResponse(answer.cell)
                                                          : solution_->response(answer.cell);
@@ -189,7 +203,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     if (met.bsdf->lobes().spread) {
       path.direct = nullptr;
       if (hasMedia_ && met.bsdf->medium() != nullptr && met.bsdf->medium()->disperses) collapse(path);
-      if (addsDirect) addDirect(sum, at, met, out, {frame}, path, false, random, rays);
+      if (addsDirect) addShared(sum, at, met, frame, out, path, share, random, rays);
       path.share = 1 / static_cast<double>(lights_->lights().size());
     }
     reflection::BsdfSample next;
@@ -197,7 +211,7 @@ void PathSolver<W>::follow(Response& sum, Path& path, Ending ending, core::Sampl
     if (!met.bsdf->sample(out, random.next2(), met.interface, next, weight.v.data())) return;
     // No roulette at the first reflection: in room R1 that takes a third less time for the same interval.
     if (!goOn(path, met, at, frame, next, weight, reflections > 1, random)) return;
-    if (met.bsdf->isLambertian() && !guide(path, at, random)) return;
+    if (met.bsdf->isLambertian()) addSpot(sum, path, at, ending, random, rays);
   }
 }
 
@@ -262,9 +276,9 @@ Response PathSolver<W>::radianceBy(Ending ending, const Vec3& eye, const Vec3& v
       Path indirect = path;
       indirect.throughput *= 1.0f / branches;
       indirect.direct = direct;
-      if (goOn(indirect, met, at, frame, start, weight, false, own) &&
-          (!bsdf.isLambertian() || shading.isTilted || guide(indirect, at, own)))
-        follow(sum, indirect, ending, own, rays);
+      if (!goOn(indirect, met, at, frame, start, weight, false, own)) continue;
+      if (bsdf.isLambertian() && !shading.isTilted) addSpot(sum, indirect, at, ending, own, rays);
+      follow(sum, indirect, ending, own, rays);
     }
     break;
   }

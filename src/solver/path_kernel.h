@@ -102,11 +102,10 @@ class PathSolver : public Solver {
     Spectral filter;
     Spectral reflectance{};  ///< of a textured finish there
   };
-  /// A direction that was chosen with regard to bright spots, to be weighed once it is known what it meets.
+  /// The point that a direction leaves from, as connections to bright spots know it.
   struct Guidance {
     bool pending = false;
     BrightSpots::Choice choice{};
-    std::uint32_t target = scene::none;  ///< surface that it means to meet; none: chosen by cosine
   };
   /// A path under way, and what its last connections to the lights have already found.
   struct Path {
@@ -161,6 +160,9 @@ class PathSolver : public Solver {
   Response exactResponse(const Light& light, double value) const;
   void addDirect(Response& sum, const Vertex& at, const Meeting& met, const Vec3& out, const Shading& shading,
                  const Path& path, bool everyLight, core::Sampler& random, std::uint64_t& rays) const;
+  /// The same at a vertex of a path, times a share.
+  void addShared(Response& sum, const Vertex& at, const Meeting& met, const core::Frame& frame, const Vec3& out,
+                 const Path& path, double share, core::Sampler& random, std::uint64_t& rays) const;
   /// For what the eye sees first; everywhere else surfaces are as flat as they are.
   [[nodiscard]] Shading shadingSeen(const Meeting& met, const Vertex& at, const Vec3& towardsEye) const;
   /// Everything that arrives along a path.
@@ -193,11 +195,14 @@ class PathSolver : public Solver {
   /// Takes the path on in a sampled direction. False: it ends there (Russian roulette).
   bool goOn(Path& path, const Meeting& met, const Vertex& at, const core::Frame& frame,
             const reflection::BsdfSample& next, const Spectral& weight, bool roulette, core::Sampler& random) const;
-  /// Turns the path, with some probability, from the cosine-distributed direction that it has about `at` towards a
-  /// bright spot. False: it would go below the horizon, and ends.
-  bool guide(Path& path, const Vertex& at, core::Sampler& random) const;
-  /// Weighs a guided direction by what it meets. False: it missed what it was meant for, and ends.
-  bool weighGuidance(Path& path, const tracer::Hit& hit) const;
+  /// Connects `at`, from where the path goes on in a cosine-distributed direction, to a bright spot, with some
+  /// probability: adds the direct light that is reflected there. What the path meets itself is shared with that.
+  void addSpot(Response& sum, Path& path, const Vertex& at, Ending ending, core::Sampler& random,
+               std::uint64_t& rays) const;
+  /// The share with which the direct light of what a path has met counts: 1 where no connection could have found it.
+  double directShare(Path& path, const tracer::Hit& hit) const;
+  /// Some `wanted` rays as the luminaires emit them, where they meet the first matt surface.
+  [[nodiscard]] std::vector<LandedLight> landLight(std::size_t wanted) const;
   void findSpots(double area);
   void findCaustics(std::size_t nodes, double accuracy);
   /// visit(arrival, filter) for what comes to a point from small luminaires by curved mirrors and through solid glass.

@@ -119,7 +119,7 @@ void PathSolver<W>::addPath(Response& sum, const Receiver& receiver, std::uint64
   const Vec3 normal = receiver.isPlane() ? receiver.normal : receiver.surfaceNormal(random.next2());
   const Vertex from = vertexOf(receiver);
   Path path = pathFrom(from, frameAbout(normal), random);
-  if (!guide(path, {from.point, from.start, normal}, random)) return;
+  addSpot(sum, path, {from.point, from.start, normal}, ending, random, rays);
   follow(sum, path, ending, random, rays);
 }
 

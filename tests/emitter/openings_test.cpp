@@ -38,6 +38,10 @@ std::vector<Opening> openings() {
     list.push_back({.shape = Shape::cylinder, .height = 0.7, .diameter = 0.2, .along = along});
   }
   list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2});
+  // With its back, or a side and an end, against surfaces.
+  list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2, .covered = 1u << 5});
+  list.push_back({.shape = Shape::box, .length = 0.6, .width = 0.3, .height = 0.2, .covered = 1u << 0 | 1u << 3});
+  list.push_back({.shape = Shape::cylinder, .height = 0.2, .diameter = 0.6, .covered = 1u << 5});
   list.push_back({.shape = Shape::sphere, .length = 0.6, .width = 0.3, .height = 0.2});
   // A drop, and a cylinder with its caps.
   list.push_back(
@@ -83,6 +87,34 @@ TEST(EveryStatedOpening, KeepsItsFluxAndSamplesAsItIntegrates) {
     }
 }
 
+// From anywhere: within rounding of the opening, in its plane and on its axes too.
+TEST(EveryStatedOpening, IsSampledInFiniteNumbersFromEverywhere) {
+  for (const Opening& opening : openings()) {
+    SCOPED_TRACE(testing::Message() << "shape " << static_cast<int>(opening.shape) << " along "
+                                    << static_cast<int>(opening.along));
+    const Vec3 center(0.1, 0.2, 0.3);
+    const auto emitter = makeEmitter(opening, center, output(false));
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+      core::Sampler random(13, i);
+      const core::Vec2 a = random.next2(), b = random.next2(), c = random.next2();
+      // A place of the opening's box, often a round one, moved away by 1e-16 to 1 m.
+      Vec3 place = 0.7 * Vec3(a.x, a.y, b.x) - Vec3(0.35);
+      if (i % 2 == 0) place = glm::round(place * 20.0) / 20.0;
+      const double z = 2 * b.y - 1, phi = 2 * core::pi * c.x, distance = std::pow(10.0, -16 * c.y);
+      Vec3 away(std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z);
+      if (i % 3 == 0) away = Vec3(0), away[static_cast<int>(i / 3 % 3)] = 1;
+      const Vec3 point = center + place + away * distance;
+      const IncidentLight light = emitter->sample(point, random.next2());
+      ASSERT_TRUE(std::isfinite(light.normalIlluminance))
+          << place.x << ' ' << place.y << ' ' << place.z << " + " << distance;
+      ASSERT_TRUE(std::isfinite(emitter->importance(point, away)));
+      if (light.normalIlluminance > 0) {
+        ASSERT_NEAR(glm::length(light.direction), 1, 1e-9);
+      }
+    }
+  }
+}
+
 // On a ceiling beside a batten a few samples must not carry all of the light.
 TEST(LongOpenings, AreSampledEvenlyFromMillimetresAway) {
   const std::vector<Opening> battens{{.shape = Shape::box, .length = 1.2, .width = 0.06, .height = 0.05},
@@ -90,8 +122,8 @@ TEST(LongOpenings, AreSampledEvenlyFromMillimetresAway) {
                                      {.shape = Shape::tube, .length = 1.2, .diameter = 0.026, .axis = {1, 0, 0}}};
   for (const Opening& opening : battens) {
     const auto emitter = makeEmitter(opening, Vec3(0), output(true));
-    for (const Vec3& point : {Vec3(0.1, 0, 0.03), Vec3(0.59, 0, 0.03), Vec3(0.3, 0.035, 0.001), Vec3(0.603, 0.002, 0.02),
-                              Vec3(0.5, 0.2, 0.03), Vec3(0.62, 0.04, 0.03)}) {
+    for (const Vec3& point : {Vec3(0.1, 0, 0.03), Vec3(0.59, 0, 0.03), Vec3(0.3, 0.035, 0.001),
+                              Vec3(0.603, 0.002, 0.02), Vec3(0.5, 0.2, 0.03), Vec3(0.62, 0.04, 0.03)}) {
       constexpr std::uint32_t samples = 4096;
       double sum = 0, squares = 0;
       for (std::uint32_t i = 0; i < samples; ++i) {

@@ -79,6 +79,19 @@ TEST(NewStage, TheProjectThatItWritesIsWithoutErrorsAndHasItsLuminaires) {
       << "an existing project is not overwritten";
 }
 
+TEST(NewStage, WhatShinesUpIsHungBelowTheCeiling) {
+  const test::TemporaryFolder folder;
+  const auto heightOf = [&](const std::string& name, std::map<std::string, std::string> options) {
+    options.insert({{"size", "6x4x3"}, {"luminaire", name}});
+    const std::string path = (folder.path() / (name + std::to_string(options.size()))).string();
+    newRoom(options, path);
+    return project::readProject(path).environment.luminaires.front().center.z;
+  };
+  EXPECT_NEAR(heightOf("tube-pendant.ies", {}), 2.5, 0.05);
+  EXPECT_NEAR(heightOf("batten-t8.ldt", {}), 3, 0.05) << "some of its light goes up";
+  EXPECT_NEAR(heightOf("tube-pendant.ies", {{"suspension", "0.3"}}), 2.7, 0.05);
+}
+
 TEST(NewStage, BadOptionsAreRefusedAndNothingIsWritten) {
   const test::TemporaryFolder folder;
   const std::string office = (folder.path() / "office").string();
