@@ -80,8 +80,8 @@ std::string openingText(const Opening& opening, const Words& words) {
   std::string size;
   for (const auto& [length, direction] : {std::pair(opening.alongC0_m, "C0"), std::pair(opening.alongC90_m, "C90")})
     if (length > 0)
-      size +=
-          fmt::format("{}{} {} ({})", size.empty() ? "" : " × ", words.length(length), words.unitName("m"), direction);
+      size += fmt::format("{}{}\u00a0{}\u00a0({})", size.empty() ? "" : " × ", words.length(length),
+                          words.unitName("m"), direction);
   if (opening.height_m > 0)
     size += fmt::format("{}{} {} {}", size.empty() ? "" : ", ", words.length(opening.height_m), words.unitName("m"),
                         words("high"));

@@ -44,7 +44,7 @@ img.wide, .drawing svg { width: 100%; height: auto; display: block; } .drawing {
 .cover .tiles { margin-top: 8mm; } .cover .foot { position: absolute; left: 22mm; right: 18mm; bottom: 12mm; color: #5a6670; font-size: 8.5pt; display: flex; justify-content: space-between; }
 .sheet { break-inside: avoid; display: flex; margin-bottom: 5mm; } .sheet .left { width: 52%; padding-right: 6mm; } .sheet .right { width: 48%; } .sheet svg { width: 100%; height: auto; }
 .sheet td:first-child { color: #5a6670; width: 45%; }
-table.values { font-size: VALUESpt; table-layout: fixed; } table.values td, table.values th { text-align: right; padding: 0.5mm 0.8mm; border-bottom: 0.3pt solid #eceff1; } table.values th { color: #5a6670; font-weight: 400; }
+table.values { font-size: VALUESpt; table-layout: fixed; } table.values td, table.values th { text-align: right; padding: 0.5mm 0.8mm; border-bottom: 0.3pt solid #eceff1; } table.values th { color: #5a6670; font-weight: 400; font-size: inherit; white-space: nowrap; } sub { line-height: 0; font-size: 75%; }
 .note { border-left: 2pt solid #b3372c; padding: 1mm 0 1mm 4mm; margin-bottom: 4mm; } code { font-family: "DejaVu Sans Mono", monospace; font-size: 7.5pt; word-break: break-all; }
 @media screen { body { background: #e4e9ec; } .chapter, .cover { width: WIDTHmm; margin: 8mm auto; background: #fff; box-shadow: 0 1px 6px rgba(0,0,0,.18); } .chapter { padding: 20mm 18mm 16mm 22mm; } }
 )css";

@@ -115,13 +115,14 @@ TEST(Report, LuminaireSheetsSpeakTheReadersLanguageAndUnits) {
   report.luminaires = {type};
   report.surfaces = {{"room", "floor, xmin, ymax", "paint", 0.7}};
   std::string html = htmlOf(report);
-  for (const char* part : {"rectangle, 1.52 m (C0) × 0.30 m (C90)", "258° (C0), 111° (C90)", "<td>360°</td>",
-                           "4000 K, R<sub>a</sub> 83", "floor, wall x min, wall y max"})
+  for (const char* part : {"rectangle, 1.52\u00a0m\u00a0(C0) × 0.30\u00a0m\u00a0(C90)", "258° (C0), 111° (C90)",
+                           "<td>360°</td>", "4000 K, R<sub>a</sub> 83", "floor, wall x min, wall y max"})
     EXPECT_TRUE(contains(html, part)) << part;
   report.language = Language::german;
   report.units = Units::imperial;
   html = htmlOf(report);
-  for (const char* part : {"Rechteck, 5,00 ft (C0) × 1,00 ft (C90)", "Boden, Wand x min, Wand y max"})
+  for (const char* part :
+       {"Rechteck, 5,00\u00a0ft\u00a0(C0) × 1,00\u00a0ft\u00a0(C90)", "Boden, Wand x min, Wand y max"})
     EXPECT_TRUE(contains(html, part)) << part;
 }
 
