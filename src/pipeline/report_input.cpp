@@ -125,7 +125,8 @@ std::vector<LuminaireType> luminaireTypes(const project::Project& project, core:
       fresh.dimming = luminaire.dimming;
       describeColour(project.environment.sourceSpectra[luminaire.spectrum], fresh);
       fs::path extension = fs::path(luminaire.photometry).extension();
-      if (!extension.empty()) {
+      fresh.isFile = !extension.empty();
+      if (fresh.isFile) {
         const auto path = reading.file(core::Value(luminaire.photometry), project::Library::luminaires);
         try {
           if (path) describe(photometry::readPhotometricFile(*path), fresh);

@@ -97,7 +97,7 @@ std::string sheet(const LuminaireType& type, const Words& words) {
   std::string rows;
   rows += row(words("Manufacturer"), escapedMarkup(type.maker));
   rows += row(words("Catalogue number"), escapedMarkup(type.catalogue));
-  rows += row(words("Photometric file"), escapedMarkup(type.file));
+  rows += row(type.isFile ? words("Photometric file") : words("Distribution"), escapedMarkup(type.file));
   rows += row(words("Count"), std::to_string(type.count));
   rows += row(words("Flux"), words.number(type.flux_lm, 0) + " lm");
   rows += row(words("Power"), type.watts > 0 ? words.number(type.watts, 1) + " W" : words("not stated"));

@@ -35,6 +35,7 @@ struct LuminaireType {
   std::string letter;  ///< "A", as in the plan
   std::string name;    ///< of the project's entry
   std::string product, maker, catalogue, file;
+  bool isFile = true;  ///< `file` is one; else a distribution that the program knows by name
   Opening opening;
   int count = 0;
   double flux_lm = 0, watts = 0;  ///< of one; watts 0 = not stated

@@ -28,6 +28,8 @@ constexpr std::array patterns = {
         "modelliert"},
     Pattern{"fluorescence, polarisation, and air (no absorption or scattering): not modelled",
             "Fluoreszenz, Polarisation und Luft (keine Absorption oder Streuung): nicht modelliert"},
+    Pattern{"light of point and line luminaires that arrives by more than {} plane mirrors in a row",
+            "Licht von Punkt- und Linienleuchten, das über mehr als {} ebene Spiegel nacheinander ankommt"},
     Pattern{"glare ratings: they do not add up over groups; calculate a scene by illuminate --scene",
             "Blendungsbewertungen: sie addieren sich nicht über Gruppen; eine Szene berechnet illuminate --scene"},
     Pattern{"the project has changed since these results were calculated: {}",

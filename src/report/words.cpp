@@ -76,6 +76,7 @@ constexpr std::array texts = {
     Text{"Maintenance factor", "Wartungsfaktor"},
     Text{"Dimming", "Dimmung"},
     Text{"Photometric file", "Lichtverteilungsdatei"},
+    Text{"Distribution", "Lichtverteilung"},
     Text{"Manufacturer", "Hersteller"},
     Text{"Catalogue number", "Bestellnummer"},
     Text{"Luminous opening", "Leuchtende Fläche"},
