@@ -121,10 +121,16 @@ IntensityPeak intensityPeak(const TabulatedDistribution& d) {
 
 std::optional<double> fullWidth(const TabulatedDistribution& distribution, PrincipalPlane plane, double fraction) {
   Profile p = profileOf(distribution, plane);
-  const auto largest = std::max_element(p.intensity.begin(), p.intensity.end());
-  if (*largest <= 0) return std::nullopt;
-  if (std::abs(p.theta[static_cast<std::size_t>(largest - p.intensity.begin())]) > 90) p = turnedOver(p);
-  const double level = fraction * *std::max_element(p.intensity.begin(), p.intensity.end());
+  double largest = 0, largestBelow = 0;
+  for (std::size_t i = 0; i < p.theta.size(); ++i) {
+    largest = std::max(largest, p.intensity[i]);
+    if (std::abs(p.theta[i]) <= 90) largestBelow = std::max(largestBelow, p.intensity[i]);
+  }
+  if (largest <= 0) return std::nullopt;
+  // A plateau that reaches past the horizontal, as a bare batten's does, belongs to the light that goes down.
+  constexpr double rounding = 1e-9;
+  if (largestBelow < (1 - rounding) * largest) p = turnedOver(p);
+  const double level = fraction * largest;
   std::size_t first = p.theta.size(), last = 0;
   for (std::size_t i = 0; i < p.theta.size(); ++i) {
     if (std::abs(p.theta[i]) > 90 || p.intensity[i] < level) continue;

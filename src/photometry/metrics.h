@@ -25,7 +25,8 @@ IntensityPeak intensityPeak(const TabulatedDistribution& distribution);
 enum class PrincipalPlane { c0_180, c90_270 };
 
 /// Full width, within a plane, of the directions that reach the given fraction of the largest intensity in that plane:
-/// from the first to the last such direction of the hemisphere of that maximum (so a batwing's wings belong together),
+/// from the first to the last such direction of the hemisphere of that maximum, the lower one where both have it (so a batwing's wings
+/// belong together),
 /// and on past the horizontal as far as they are reached without a gap. 0.5 gives the beam angle, 0.1 the field angle.
 /// Empty when the plane is dark.
 std::optional<double> fullWidth(const TabulatedDistribution& distribution, PrincipalPlane plane, double fraction);

@@ -29,29 +29,6 @@ const char* typeName(photometry::PhotometryType type) {
   return "C";
 }
 
-const char* shapeName(const StatedOpening& opening) {
-  const bool round = opening.length == opening.width;
-  switch (opening.shape) {
-    case StatedOpening::Shape::point:
-      return "point";
-    case StatedOpening::Shape::line:
-      return "line";
-    case StatedOpening::Shape::rectangle:
-      return "rectangle";
-    case StatedOpening::Shape::disc:
-      return round || opening.axis != StatedOpening::Axis::aim ? "disc" : "ellipse";
-    case StatedOpening::Shape::box:
-      return "box";
-    case StatedOpening::Shape::cylinder:
-      return "cylinder";
-    case StatedOpening::Shape::sphere:
-      return round && opening.length == opening.height ? "sphere" : "ellipsoid";
-    case StatedOpening::Shape::other:
-      break;
-  }
-  return "other";
-}
-
 const char* axisName(StatedOpening::Axis axis) {
   switch (axis) {
     case StatedOpening::Axis::lengthwise:
@@ -188,6 +165,29 @@ std::string warningsText(const PhotometricFile& file) {
 }
 
 }  // namespace
+
+const char* shapeName(const StatedOpening& opening) {
+  const bool round = opening.length == opening.width;
+  switch (opening.shape) {
+    case StatedOpening::Shape::point:
+      return "point";
+    case StatedOpening::Shape::line:
+      return "line";
+    case StatedOpening::Shape::rectangle:
+      return "rectangle";
+    case StatedOpening::Shape::disc:
+      return round || opening.axis != StatedOpening::Axis::aim ? "disc" : "ellipse";
+    case StatedOpening::Shape::box:
+      return "box";
+    case StatedOpening::Shape::cylinder:
+      return "cylinder";
+    case StatedOpening::Shape::sphere:
+      return round && opening.length == opening.height ? "sphere" : "ellipsoid";
+    case StatedOpening::Shape::other:
+      break;
+  }
+  return "other";
+}
 
 std::string openingText(const StatedOpening& o) {
   if (o.shape == StatedOpening::Shape::point) return "point";

@@ -14,6 +14,9 @@ core::Value luminaireDocument(const photometry::PhotometricFile& file);
 /// The same for a reader, aligned, lines below 120 columns where messages allow.
 std::string luminaireText(const photometry::PhotometricFile& file);
 
+/// "rectangle", "disc", "ellipse" …
+const char* shapeName(const photometry::StatedOpening& opening);
+
 /// "rectangle, 1.2 m along C0, 0.3 m along C90".
 std::string openingText(const photometry::StatedOpening& opening);
 

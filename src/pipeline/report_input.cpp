@@ -16,6 +16,8 @@
 #include "project/reading.h"
 #include "report/words.h"
 #include "spectrum/cie_data.h"
+#include "spectrum/colorimetry.h"
+#include "spectrum/colour_rendering.h"
 
 namespace goniolux::pipeline {
 namespace {
@@ -29,6 +31,29 @@ std::string letterOf(std::size_t index) {
   return index < 26 ? letter : letter + std::to_string(index / 26 + 1);
 }
 
+report::Opening openingOf(const photometry::StatedOpening& o) {
+  using Shape = photometry::StatedOpening::Shape;
+  using Axis = photometry::StatedOpening::Axis;
+  if (o.shape == Shape::point) return {"point", 0, 0, 0};
+  if (o.shape == Shape::other) return {o.note, 0, 0, 0};
+  std::string shape = shapeName(o);
+  if (o.shape == Shape::cylinder)
+    shape = (o.axis == Axis::aim ? "upright " : "horizontal ") + shape;
+  else if (o.axis != Axis::aim)
+    shape = "upright " + shape;
+  return {shape, o.lengthAlongC90 ? o.width : o.length, o.lengthAlongC90 ? o.length : o.width, o.height};
+}
+
+/// Colour temperature and rendering, where the project states a spectrum and it is that of a white.
+void describeColour(const spectrum::SpectralDistribution& light, LuminaireType& type) {
+  if (light.isFlat()) return;             // what stands in for a spectrum that is not stated
+  constexpr double farthestWhite = 0.05;  // CIE 015: beyond it a colour temperature means nothing
+  const spectrum::ColourTemperature t = spectrum::colourTemperature(spectrum::tristimulus(light));
+  if (std::abs(t.duv) > farthestWhite) return;
+  type.cct_K = 10 * std::round(t.kelvin / 10);
+  type.ra = spectrum::colourRendering(light).ra;
+}
+
 void describe(const photometry::PhotometricFile& file, LuminaireType& type) {
   const auto keyword = [&](const char* key) {
     const auto found = file.keywords.find(key);
@@ -37,12 +62,16 @@ void describe(const photometry::PhotometricFile& file, LuminaireType& type) {
   type.product = keyword("LUMINAIRE");
   type.maker = keyword("MANUFAC");
   type.catalogue = keyword("LUMCAT");
-  type.opening = openingText(file.opening);
+  type.opening = openingOf(file.opening);
   const double share = file.distribution->flux() > 0 ? type.flux_lm / file.distribution->flux() : 1;
   type.maximum_cd = share * file.distribution->maximumIntensity();
   type.downwardShare = file.distribution->flux() > 0 ? file.distribution->forwardFlux() / file.distribution->flux() : 1;
-  type.beam_deg = photometry::fullWidth(*file.distribution, photometry::PrincipalPlane::c0_180, 0.5);
-  type.field_deg = photometry::fullWidth(*file.distribution, photometry::PrincipalPlane::c0_180, 0.1);
+  using photometry::PrincipalPlane;
+  const auto width = [&](PrincipalPlane plane, double fraction) {
+    return photometry::fullWidth(*file.distribution, plane, fraction);
+  };
+  type.beamC0_deg = width(PrincipalPlane::c0_180, 0.5), type.beamC90_deg = width(PrincipalPlane::c90_270, 0.5);
+  type.fieldC0_deg = width(PrincipalPlane::c0_180, 0.1), type.fieldC90_deg = width(PrincipalPlane::c90_270, 0.1);
   type.polar = polarDiagramOf(file);
   // The diagram is of the luminaire as it is used, not of the file.
   for (plot::PolarCurve& curve : type.polar->curves)
@@ -94,8 +123,10 @@ std::vector<LuminaireType> luminaireTypes(const project::Project& project, core:
       fresh.watts = luminaire.watts;
       fresh.maintenance = luminaire.maintenance;
       fresh.dimming = luminaire.dimming;
+      describeColour(project.environment.sourceSpectra[luminaire.spectrum], fresh);
       fs::path extension = fs::path(luminaire.photometry).extension();
-      if (!extension.empty()) {
+      fresh.isFile = !extension.empty();
+      if (fresh.isFile) {
         const auto path = reading.file(core::Value(luminaire.photometry), project::Library::luminaires);
         try {
           if (path) describe(photometry::readPhotometricFile(*path), fresh);

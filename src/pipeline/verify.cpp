@@ -113,7 +113,7 @@ class Batch {
       report.verdictFailed |= project.verdict == Verdict::changed && !project.updated;
     }
     report.text = textOf(batch_);
-    if (compared == 0 && countOf(batch_, Verdict::noBaseline) > 0)
+    if (!options_.update && compared == 0 && countOf(batch_, Verdict::noBaseline) > 0)
       report.warnings.warning({}, "no-baselines",
                               "none of these projects has a baseline, so nothing was compared; make them with "
                               "`goniolux verify --update`");

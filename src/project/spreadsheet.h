@@ -1,5 +1,5 @@
 // Spreadsheet: results as an OpenDocument spreadsheet (.ods), which LibreOffice, Excel and Numbers open. Numbers are
-// numbers, with all their digits; units stand in the headers.
+// numbers with all their digits, shown with as many decimals as their half-widths deserve; units stand in the headers.
 // Source: OpenDocument 1.2 (ISO/IEC 26300:2015), parts 1 (content) and 3 (package).
 #pragma once
 

@@ -197,7 +197,7 @@ std::string polarSvg(const plot::PolarDiagram& diagram, const Words& words) {
         "<line x1=\"{0}\" y1=\"12\" x2=\"{1}\" y2=\"12\" stroke=\"{2}\" stroke-width=\"2\"{3}/>"
         "<text x=\"{4}\" y=\"15.5\" font-size=\"9.5\" fill=\"#1d2329\">{5}</text>",
         x, x + 20, strokes[c % 2], c == 0 ? "" : " stroke-dasharray=\"6 3\"", x + 25,
-        escapedMarkup(diagram.curves[c].name));
+        escapedMarkup(words(diagram.curves[c].name)));
     x += 150;
   }
   return svg + fmt::format(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/markup.h"
 #include "report/drawings.h"
@@ -74,23 +75,41 @@ std::string positions(const Report& report, const Words& words) {
   return fmt::format("<h2>{} (x, y, z / {})</h2><table>{}</table>\n", words("Positions"), words.unitName("m"), rows);
 }
 
+std::string openingText(const Opening& opening, const Words& words) {
+  std::string text = words(opening.shape);
+  std::string size;
+  for (const auto& [length, direction] : {std::pair(opening.alongC0_m, "C0"), std::pair(opening.alongC90_m, "C90")})
+    if (length > 0)
+      size += fmt::format("{}{}\u00a0{}\u00a0({})", size.empty() ? "" : " × ", words.length(length),
+                          words.unitName("m"), direction);
+  if (opening.height_m > 0)
+    size += fmt::format("{}{} {} {}", size.empty() ? "" : ", ", words.length(opening.height_m), words.unitName("m"),
+                        words("high"));
+  return text + (text.empty() || size.empty() ? "" : ", ") + size;
+}
+
 std::string sheet(const LuminaireType& type, const Words& words) {
-  const auto degrees = [&](const std::optional<double>& value) {
-    return value ? words.number(*value, 0) + "°" : std::string();
+  const auto degrees = [&](const std::optional<double>& c0, const std::optional<double>& c90) {
+    if (!c0 || !c90) return std::string();
+    if (std::abs(*c0 - *c90) < 0.5) return words.number(*c0, 0) + "°";
+    return fmt::format("{}° (C0), {}° (C90)", words.number(*c0, 0), words.number(*c90, 0));
   };
   std::string rows;
   rows += row(words("Manufacturer"), escapedMarkup(type.maker));
   rows += row(words("Catalogue number"), escapedMarkup(type.catalogue));
-  rows += row(words("Photometric file"), escapedMarkup(type.file));
+  rows += row(type.isFile ? words("Photometric file") : words("Distribution"), escapedMarkup(type.file));
   rows += row(words("Count"), std::to_string(type.count));
   rows += row(words("Flux"), words.number(type.flux_lm, 0) + " lm");
   rows += row(words("Power"), type.watts > 0 ? words.number(type.watts, 1) + " W" : words("not stated"));
   if (type.watts > 0) rows += row(words("Efficacy"), words.number(type.flux_lm / type.watts, 0) + " lm/W");
-  rows += row(words("Luminous opening"), escapedMarkup(type.opening));
+  rows += row(words("Luminous opening"), escapedMarkup(openingText(type.opening, words)));
   if (type.maximum_cd > 0) rows += row(words("Largest intensity"), words.number(type.maximum_cd, 0) + " cd");
-  rows += row(words("Beam angle (50 %)"), degrees(type.beam_deg));
-  rows += row(words("Field angle (10 %)"), degrees(type.field_deg));
+  rows += row(words("Beam angle (50 %)"), degrees(type.beamC0_deg, type.beamC90_deg));
+  rows += row(words("Field angle (10 %)"), degrees(type.fieldC0_deg, type.fieldC90_deg));
   if (type.polar) rows += row(words("Light downward"), words.number(100 * type.downwardShare, 0) + " %");
+  std::string colour = type.cct_K ? words.number(*type.cct_K, 0) + " K" : "";
+  if (type.ra) colour += fmt::format("{}R<sub>a</sub> {}", colour.empty() ? "" : ", ", words.number(*type.ra, 0));
+  rows += row(words("Colour of light"), colour);
   rows += row(words("Mounting height"), heights(type, words));
   rows += row(words("Maintenance factor"), words.number(type.maintenance, 2));
   if (type.dimming != 1) rows += row(words("Dimming"), words.number(100 * type.dimming, 0) + " %");
@@ -99,6 +118,20 @@ std::string sheet(const LuminaireType& type, const Words& words) {
       "<h2><span class=\"letter\">{}</span> {}</h2><div class=\"sheet\"><div class=\"left\"><table>{}</table></div>"
       "<div class=\"right\">{}</div></div>\n",
       escapedMarkup(type.letter), escapedMarkup(type.product.empty() ? type.name : type.product), rows, diagram);
+}
+
+/// "floor, xmin" as a reader calls the sides of a room.
+std::string partsText(const std::string& parts, const Words& words) {
+  std::string text;
+  for (std::size_t at = 0; at < parts.size();) {
+    const std::size_t end = std::min(parts.find(", ", at), parts.size());
+    std::string part = parts.substr(at, end - at);
+    if (part.size() == 4 && (part.starts_with("x") || part.starts_with("y")))
+      part = fmt::format("{} {} {}", words("wall"), part[0], part.substr(1));
+    text += (text.empty() ? "" : ", ") + words(part);
+    at = end + 2;
+  }
+  return text;
 }
 
 }  // namespace
@@ -123,7 +156,7 @@ std::string luminaireSections(const Report& report, const Words& words) {
       std::string rows;
       for (const Surface& s : report.surfaces)
         rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"n\">{} %</td></tr>\n",
-                            escapedMarkup(s.object), escapedMarkup(words(s.part)), escapedMarkup(s.material),
+                            escapedMarkup(s.object), escapedMarkup(partsText(s.part, words)), escapedMarkup(s.material),
                             words.number(100 * s.reflectance, 0));
       html += fmt::format("<h2>{}</h2>", words("Surfaces"));
       if (report.roomSize)

@@ -35,18 +35,18 @@ img.wide, .drawing svg { width: 100%; height: auto; display: block; } .drawing {
 .badge { display: inline-block; min-width: 21mm; text-align: center; border-radius: 1mm; color: #fff; font-size: 8pt; font-weight: 700; padding: 0.3mm 2mm; }
 .pass { background: #2e7d4f; } .fail { background: #b3372c; } .undecided { background: #b07d12; }
 .letter { display: inline-block; width: 6mm; height: 6mm; line-height: 5.4mm; border: 1pt solid #d9921a; border-radius: 50%; text-align: center; font-weight: 700; color: #7a4e06; }
-.tiles { display: table; table-layout: fixed; width: 100%; border-collapse: separate; border-spacing: 3mm 0; margin: 0 -3mm 4mm; width: calc(100% + 6mm); } .tile { display: table-cell; padding: 3mm 3.5mm; background: #f3f6f7; border-top: 2pt solid #d9921a; }
-.tile b { display: block; font-weight: 300; font-size: 13.5pt; line-height: 1.2; white-space: nowrap; } .tile span { color: #5a6670; font-size: 8.5pt; }
+.tiles { display: table; table-layout: fixed; width: TILESmm; border-collapse: separate; border-spacing: 3mm 0; margin: 0 -3mm 4mm; } .tile { display: table-cell; padding: 3mm; background: #f3f6f7; border-top: 2pt solid #d9921a; }
+.tile b { display: block; font-weight: 300; font-size: 12pt; line-height: 1.3; white-space: nowrap; } .tile span { color: #5a6670; font-size: 8.5pt; }
 .cover { page: cover; position: relative; height: HEIGHTmm; overflow: hidden; background: #fff; }
 .cover .hero { height: HEROmm; background: #12222b; overflow: hidden; } .cover .hero img { width: 100%; height: HEROmm; object-fit: cover; display: block; }
 .cover .hero .drawing { padding: 18mm; background: #eef2f4; height: HEROmm; } .cover .hero .drawing svg { max-height: 100%; max-width: 100%; width: auto; }
-.cover .words { padding: 12mm 22mm 0; } .cover h1 { font-size: 33pt; color: #1d2329; margin: 0 0 4mm; } .cover .kind { color: #d9921a; font-weight: 700; letter-spacing: 0.12em; text-transform: uppercase; font-size: 9.5pt; margin-bottom: 3mm; }
+.cover .words { padding: 12mm 18mm 0 22mm; } .cover h1 { font-size: 33pt; color: #1d2329; margin: 0 0 4mm; } .cover .kind { color: #d9921a; font-weight: 700; letter-spacing: 0.12em; text-transform: uppercase; font-size: 9.5pt; margin-bottom: 3mm; }
 .cover .tiles { margin-top: 8mm; } .cover .foot { position: absolute; left: 22mm; right: 18mm; bottom: 12mm; color: #5a6670; font-size: 8.5pt; display: flex; justify-content: space-between; }
 .sheet { break-inside: avoid; display: flex; margin-bottom: 5mm; } .sheet .left { width: 52%; padding-right: 6mm; } .sheet .right { width: 48%; } .sheet svg { width: 100%; height: auto; }
 .sheet td:first-child { color: #5a6670; width: 45%; }
-table.values { font-size: VALUESpt; table-layout: fixed; } table.values td, table.values th { text-align: right; padding: 0.5mm 0.8mm; border-bottom: 0.3pt solid #eceff1; } table.values th { color: #9aa4ac; font-weight: 400; }
+table.values { font-size: VALUESpt; table-layout: fixed; } table.values td, table.values th { text-align: right; padding: 0.5mm 0.8mm; border-bottom: 0.3pt solid #eceff1; } table.values th { color: #5a6670; font-weight: 400; font-size: inherit; white-space: nowrap; } sub { line-height: 0; font-size: 75%; }
 .note { border-left: 2pt solid #b3372c; padding: 1mm 0 1mm 4mm; margin-bottom: 4mm; } code { font-family: "DejaVu Sans Mono", monospace; font-size: 7.5pt; word-break: break-all; }
-@media screen { body { background: #e4e9ec; } .chapter, .cover { width: 210mm; margin: 8mm auto; background: #fff; box-shadow: 0 1px 6px rgba(0,0,0,.18); } .chapter { padding: 20mm 18mm 16mm 22mm; } }
+@media screen { body { background: #e4e9ec; } .chapter, .cover { width: WIDTHmm; margin: 8mm auto; background: #fff; box-shadow: 0 1px 6px rgba(0,0,0,.18); } .chapter { padding: 20mm 18mm 16mm 22mm; } }
 )css";
 
 void replaceAll(std::string& text, const std::string& what, const std::string& with) {
@@ -81,6 +81,9 @@ std::string htmlOf(const Report& report) {
   std::string css = style;
   // ISO 216 A4, or US letter where feet are in use.
   replaceAll(css, "SIZE", words.imperial() ? "letter" : "A4");
+  // Between the margins, and a gap of the tiles on either side.
+  replaceAll(css, "TILES", words.imperial() ? "181.9" : "176");
+  replaceAll(css, "WIDTH", words.imperial() ? "215.9" : "210");
   replaceAll(css, "HEIGHT", words.imperial() ? "279.2" : "296.8");
   replaceAll(css, "HERO", words.imperial() ? "158" : "172");
   replaceAll(css, "VALUES", "6.6");

@@ -24,18 +24,26 @@ struct Picture {
   std::string bytes;
 };
 
+/// A luminous opening as the photometric file states it.
+struct Opening {
+  std::string shape;                                   ///< "rectangle", "upright cylinder"; "" = not known
+  double alongC0_m = 0, alongC90_m = 0, height_m = 0;  ///< 0 = none
+};
+
 /// A luminaire of the schedule: all that come from one entry of the project.
 struct LuminaireType {
   std::string letter;  ///< "A", as in the plan
   std::string name;    ///< of the project's entry
   std::string product, maker, catalogue, file;
-  std::string opening;  ///< of the photometric file, in words
+  bool isFile = true;  ///< `file` is one; else a distribution that the program knows by name
+  Opening opening;
   int count = 0;
   double flux_lm = 0, watts = 0;  ///< of one; watts 0 = not stated
   double maintenance = 1, dimming = 1;
   double maximum_cd = 0, downwardShare = 1;
-  std::optional<double> beam_deg, field_deg;  ///< full width in C0-C180
-  std::string cct;                            ///< "3000 K", "" = not known
+  /// Full widths in C0-C180 and in C90-C270.
+  std::optional<double> beamC0_deg, beamC90_deg, fieldC0_deg, fieldC90_deg;
+  std::optional<double> cct_K, ra;  ///< empty where the spectrum is not stated, or is none of a white
   std::optional<plot::PolarDiagram> polar;
   std::vector<core::Vec3> positions;  ///< m
 };

@@ -203,7 +203,8 @@ std::string contributionSection(const Report& report, const Words& words) {
 std::string summarySection(const Report& report, const Words& words) {
   std::string html = fmt::format("<section class=\"chapter\"><h1>{}</h1>\n", words("Results at a glance"));
   for (const std::string& remark : report.remarks)
-    html += fmt::format("<p class=\"note\"><b>{}:</b> {}</p>\n", words("Please note"), escapedMarkup(remark));
+    html += fmt::format("<p class=\"note\"><b>{}:</b> {}</p>\n", words("Please note"),
+                        escapedMarkup(words.sentence(remark)));
   if (!report.results.reached)
     html += fmt::format("<p class=\"note\"><b>{}:</b> {}</p>\n", words("The accuracy asked for was not reached"),
                         escapedMarkup(report.results.reachedText));

@@ -15,6 +15,8 @@ class Words {
   /// The text in the reader's language; `english` is the key. A text without a translation stays as it is.
   [[nodiscard]] std::string operator()(const std::string& english) const;
   [[nodiscard]] bool hasTranslation(const std::string& english) const;
+  /// A sentence of the calculation with numbers and names in it ("wavelengths between 7 spectral samples: …").
+  [[nodiscard]] std::string sentence(const std::string& english) const;
 
   /// A number with a fixed count of decimals, with the language's decimal sign and thousands apart.
   [[nodiscard]] std::string number(double value, int decimals) const;

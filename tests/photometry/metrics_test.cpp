@@ -95,6 +95,47 @@ TEST(Metrics, UplightIsMeasuredAboutTheZenith) {
   EXPECT_FALSE(fullWidth(dark, PrincipalPlane::c0_180, 0.5));
 }
 
+TEST(Metrics, LambertianLightHas120DegreesUpOrDown) {
+  // cos(60 degrees) = 1/2, on both sides of the axis. The table has 60 degrees, so that no interpolation enters.
+  const std::vector<double> gammas{0, 30, 60, 90, 120, 150, 180};
+  std::vector<double> down, up, both;
+  for (const double gamma : gammas) {
+    const double cosine = std::cos(gamma * degree);
+    down.push_back(100 * std::max(0.0, cosine));
+    up.push_back(100 * std::max(0.0, -cosine));
+    both.push_back(cosine > 0 ? 50 * cosine : -100 * cosine);  // twice as much up as down
+  }
+  for (const auto& candelas : {down, up, both}) {
+    const TabulatedDistribution web(PhotometryType::c, {0}, gammas, candelas);
+    for (const PrincipalPlane plane : {PrincipalPlane::c0_180, PrincipalPlane::c90_270})
+      EXPECT_NEAR(*fullWidth(web, plane, 0.5), 120, 1e-9);
+  }
+}
+
+TEST(Metrics, TheGreaterHalfOfDirectIndirectLightIsMeasured) {
+  // Triangles: half of the downward peak of 100 at 20 degrees from the nadir, of the upward peak of 100 at 30 from the
+  // zenith.
+  const std::vector<double> gammas{0, 40, 90, 120, 180};
+  const TabulatedDistribution down(PhotometryType::c, {0}, gammas, {100, 0, 0, 0, 80});
+  EXPECT_NEAR(*fullWidth(down, PrincipalPlane::c0_180, 0.5), 40, 1e-9);
+  const TabulatedDistribution up(PhotometryType::c, {0}, gammas, {80, 0, 0, 0, 100});
+  EXPECT_NEAR(*fullWidth(up, PrincipalPlane::c0_180, 0.5), 60, 1e-9);
+  const TabulatedDistribution alike(PhotometryType::c, {0}, gammas, {100, 0, 0, 0, 100});
+  EXPECT_NEAR(*fullWidth(alike, PrincipalPlane::c0_180, 0.5), 40, 1e-9);
+}
+
+TEST(Metrics, ABareBattensPlateauReachesPastTheHorizontal) {
+  // As bright to 92.5 degrees as below; half of it at 130, a quarter from 150 on: the beam is 2 x 130 degrees wide, the
+  // field all around.
+  const TabulatedDistribution batten(PhotometryType::c, {0}, {0, 90, 92.5, 130, 150, 180}, {120, 120, 120, 60, 30, 30});
+  EXPECT_NEAR(*fullWidth(batten, PrincipalPlane::c0_180, 0.5), 260, 1e-9);
+  EXPECT_NEAR(*fullWidth(batten, PrincipalPlane::c0_180, 0.1), 360, 1e-9);
+  // Across the rounding of a table in candelas the plateau is still one.
+  const TabulatedDistribution rounded(PhotometryType::c, {0}, {0, 90, 92.5, 130, 150, 180},
+                                      {120, 120, 120 * (1 + 1e-12), 60, 30, 30});
+  EXPECT_NEAR(*fullWidth(rounded, PrincipalPlane::c0_180, 0.5), 260, 1e-6);
+}
+
 TEST(Metrics, ATableThatEndsBrightEndsTheBeam) {
   const TabulatedDistribution web(PhotometryType::c, {0}, {0, 90}, {100, 100});
   EXPECT_NEAR(*fullWidth(web, PrincipalPlane::c0_180, 0.5), 180, 1e-5);

@@ -91,6 +91,52 @@ TEST(Report, ConvertsToFootcandlesAndGermanNumbers) {
   EXPECT_TRUE(contains(htmlOf(report), "EN 12464-1:2021, 34.3 (Zahlen unbestätigt)"));
 }
 
+TEST(Report, ValuesStandBesideTheirCoordinates) {
+  Report report = sample();
+  project::GridResult& grid = report.results.grids[0];
+  grid.counts = {2, 2};
+  grid.points = {{0.5, 0.25, 1}, {1.5, 0.25, 1}, {0.5, 1.75, 1}, {1.5, 1.75, 1}};
+  grid.values = {1, 2, 3, 4};
+  std::string html = htmlOf(report);
+  EXPECT_TRUE(contains(html, "<tr><th>1.75</th><td>3.00</td><td>4.00</td></tr>")) << "the v axis upward";
+  EXPECT_TRUE(contains(html, "<tr><th>y, x / m</th><th>0.50</th><th>1.50</th></tr>"));
+  grid.points[1] = {1.1, 1.05, 1};  // an edge along 3, 4: the distance of 1 m
+  html = htmlOf(report);
+  EXPECT_TRUE(contains(html, "<tr><th>y, u / m</th><th>0.00</th><th>1.00</th></tr>"));
+}
+
+TEST(Report, LuminaireSheetsSpeakTheReadersLanguageAndUnits) {
+  Report report = sample();
+  LuminaireType type;
+  type.letter = "A", type.name = "batten", type.flux_lm = 4000, type.count = 1;
+  type.opening = {"rectangle", 1.524, 0.3048, 0};
+  type.beamC0_deg = 258, type.beamC90_deg = 111.2, type.fieldC0_deg = type.fieldC90_deg = 360;
+  type.cct_K = 4000, type.ra = 83;
+  report.luminaires = {type};
+  report.surfaces = {{"room", "floor, xmin, ymax", "paint", 0.7}};
+  std::string html = htmlOf(report);
+  for (const char* part : {"rectangle, 1.52\u00a0m\u00a0(C0) × 0.30\u00a0m\u00a0(C90)", "258° (C0), 111° (C90)",
+                           "<td>360°</td>", "4000 K, R<sub>a</sub> 83", "floor, wall x min, wall y max"})
+    EXPECT_TRUE(contains(html, part)) << part;
+  report.language = Language::german;
+  report.units = Units::imperial;
+  html = htmlOf(report);
+  for (const char* part :
+       {"Rechteck, 5,00\u00a0ft\u00a0(C0) × 1,00\u00a0ft\u00a0(C90)", "Boden, Wand x min, Wand y max"})
+    EXPECT_TRUE(contains(html, part)) << part;
+}
+
+TEST(Words, SentencesOfTheCalculationAreTranslatedWithTheirNumbers) {
+  const Words german(Language::german, Units::metric), english(Language::english, Units::metric);
+  const std::string sentence = "wavelengths between 7 spectral samples: at most 0.19 % of E";
+  EXPECT_EQ(german.sentence(sentence), "Wellenlängen zwischen 7 Stützstellen: höchstens 0,19 % von E");
+  EXPECT_EQ(english.sentence(sentence), sentence);
+  EXPECT_EQ(german.sentence("the project has changed since these results were calculated: a.ies, b.spd"),
+            "das Projekt hat sich geändert, seit diese Ergebnisse berechnet wurden: a.ies, b.spd");
+  EXPECT_EQ(german.sentence("wavelengths between 7 spectral samples: who knows"),
+            "wavelengths between 7 spectral samples: who knows");
+}
+
 TEST(Words, GroupsThousandsAndChoosesTheDecimalSign) {
   const Words english(Language::english, Units::metric), german(Language::german, Units::metric);
   EXPECT_EQ(english.number(24000, 0), "24\u202f000");
