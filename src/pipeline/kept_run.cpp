@@ -157,11 +157,10 @@ void KeptRun::close(StageReport& report, bool isFinished) {
 core::Parameter resumeOption() {
   core::Parameter resume;
   resume.key = "resume";
-  resume.title = "go on";
+  resume.title = "an interrupted run";
   resume.kind = core::ParameterKind::boolean;
   resume.help =
-      "goes on where an interrupted run with the same inputs and settings was, to the same result; any number of "
-      "threads, any time limit";
+      "goes on where one with the same inputs and settings was, to the same bytes; threads and time limit may differ";
   return resume;
 }
 

@@ -85,8 +85,8 @@ class Resume : public testing::Test {
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / output)) {
       const std::string name = entry.path().lexically_relative(folder_.path() / output).generic_string();
       if (!entry.is_regular_file() || name == "log.jsonl" || name.ends_with(".part")) continue;
-      files[name] = std::regex_replace(test::contentOf(entry.path()), std::regex(R"("(wall|cpu)"
-                                                                                 : [0 - 9.e+ - ] +) "), "\"$1\": 0");
+      const std::regex times(R"re("(wall|cpu)": [0-9.e+-]+)re");
+      files[name] = std::regex_replace(test::contentOf(entry.path()), times, "");
     }
     return files;
   }
