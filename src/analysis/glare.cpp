@@ -1,7 +1,10 @@
 #include "analysis/glare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +15,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "core/work_items.h"
 
 namespace goniolux::analysis {
 namespace {
@@ -51,7 +55,7 @@ std::map<std::uint32_t, SeenGlare> glareOf(const std::vector<solver::SeenLight>&
 
 GlareEstimate estimateGlare(const solver::Solver& solver, const solver::SeenLights& lights, const Vec3& eye,
                             const Vec3& direction, std::uint64_t key, double accuracy, double confidence,
-                            double secondsLeft, const core::ProgressSink& progress) {
+                            double secondsLeft, const core::ProgressSink& progress, const core::Keeping& keeping) {
   const double start = core::wallSeconds();
   const double quantile = core::studentQuantile(replicateCount - 1, confidence);
   const Vec3 up = upOf(direction);
@@ -65,16 +69,28 @@ GlareEstimate estimateGlare(const solver::Solver& solver, const solver::SeenLigh
     std::array<double, replicateCount> indirect{}, sums{};
     std::array<std::map<std::uint32_t, SeenGlare>, replicateCount> seen;
     const std::uint64_t roundKey = core::combine(key, round);
-    core::parallelFor(replicateCount, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = begin; r < end && !progress.cancelled(); ++r) {
-        const std::uint64_t replicateKey = core::combine(roundKey, r);
-        seen[r] = glareOf(lights.from(eye, core::combine(replicateKey, lightKey), rays), direction, up);
-        for (const auto& [source, glare] : seen[r]) sums[r] += glare.share;
-        indirect[r] =
-            solver.wholeIlluminance(background, *plan, core::combine(replicateKey, backgroundKey), paths)[1] / core::pi;
-      }
-    });
-    if (progress.cancelled()) {
+    core::WorkItems items;
+    items.count = replicateCount;
+    items.work = [&](std::size_t r) {
+      const std::uint64_t replicateKey = core::combine(roundKey, r);
+      seen[r] = glareOf(lights.from(eye, core::combine(replicateKey, lightKey), rays), direction, up);
+      indirect[r] =
+          solver.wholeIlluminance(background, *plan, core::combine(replicateKey, backgroundKey), paths)[1] / core::pi;
+    };
+    items.pack = [&](std::size_t r, std::string& bytes) {
+      core::put(bytes, indirect[r]);
+      for (const auto& [source, glare] : seen[r]) core::put(bytes, glare);
+    };
+    items.unpack = [&](std::size_t r, std::string_view bytes) {
+      if (!core::take(bytes, indirect[r])) return false;
+      for (SeenGlare glare; core::take(bytes, glare);) seen[r][glare.source] = glare;
+      return bytes.empty();
+    };
+    const bool complete = core::doItems(items, keeping.part(fmt::format("round {}", round)), progress).complete;
+    for (std::size_t r = 0; r < replicateCount; ++r)
+      for (const auto& [source, glare] : seen[r]) sums[r] += glare.share;
+    if (!complete && round > 1) return estimate;  // what the round before found
+    if (!complete) {
       estimate.ugr.value = estimate.ugr.statistical = std::numeric_limits<double>::quiet_NaN();
       estimate.background = estimate.ugr;
       return estimate;
@@ -122,6 +138,9 @@ GlareEstimate estimateGlare(const solver::Solver& solver, const solver::SeenLigh
     double growth = std::clamp(ratio * ratio, leastGrowth, largestGrowth);
     growth = std::min(growth, (secondsLeft - taken) / std::max(taken, 1e-4));
     if (growth < 1.1) return estimate;
+    // The clock had a say in it: a resumed run goes on with what was decided.
+    const auto decision = std::bit_cast<std::uint64_t>(growth);
+    growth = std::bit_cast<double>(keeping.decided(fmt::format("growth {}", round), decision));
     paths = static_cast<std::uint32_t>(paths * growth);
     // Visible parts are known far better than the background, unless something stands before them.
     if (sum.standardError / sum.mean > 0.3 * luminance.standardError / luminance.mean)

@@ -13,6 +13,7 @@
 
 #include "analysis/grid.h"
 #include "core/estimate.h"
+#include "core/kept_work.h"
 #include "core/progress.h"
 #include "solver/seen_lights.h"
 
@@ -37,9 +38,9 @@ struct GlareEstimate {
 };
 
 /// `eye` in the world frame. Goes on until the half-width of UGR at `confidence` is at most `accuracy`, or until
-/// `secondsLeft` are used up.
+/// `secondsLeft` are used up. Finished work goes to `keeping`, and what is there is not done anew.
 GlareEstimate estimateGlare(const solver::Solver& solver, const solver::SeenLights& lights, const core::Vec3& eye,
                             const core::Vec3& direction, std::uint64_t key, double accuracy, double confidence,
-                            double secondsLeft, const core::ProgressSink& progress);
+                            double secondsLeft, const core::ProgressSink& progress, const core::Keeping& keeping = {});
 
 }  // namespace goniolux::analysis

@@ -7,6 +7,7 @@
 // round ends only, from all points together, so results do not depend on threads or on the clock.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,7 @@
 
 #include "analysis/quantity.h"
 #include "core/estimate.h"
+#include "core/kept_work.h"
 #include "core/progress.h"
 #include "solver/solver.h"
 
@@ -43,7 +45,8 @@ struct GridEstimate {
   std::vector<double> quadrature;           ///< lx, bound of the source-subdivision error
   std::vector<double> interreflection;      ///< lx, bound of what a light solution misses unevenly over the grid
   core::Estimate mean, minimum, maximum, u0, ud;
-  double shareWithin = 0;  ///< share of the points whose half-width is within the accuracy asked for
+  std::map<int, core::Estimate> percentiles;  ///< by percent
+  double shareWithin = 0;                     ///< share of the points whose half-width is within the accuracy asked for
   bool reached = false;
   std::uint64_t samples = 0;  ///< light paths used by the estimate
 };
@@ -52,11 +55,18 @@ struct GridEstimate {
 using GridObserver = std::function<void(const GridEstimate&)>;
 
 /// Estimates a quantity at all receivers (world frame; their bodies are the quantity's). `key` makes the run's random
-/// numbers; receivers must not be empty.
+/// numbers; receivers must not be empty. Finished work goes to `keeping`, and what is there is not done anew.
 GridEstimate estimateGrid(const solver::Solver& solver, const Quantity& quantity,
                           const std::vector<solver::Receiver>& receivers, std::uint64_t key,
                           const GridAccuracy& accuracy, const EffortLimit& limit, core::ProgressSink& progress,
-                          const std::string& task, const GridObserver& partial = {});
+                          const std::string& task, const GridObserver& partial = {}, const core::Keeping& keeping = {});
+
+/// The percentiles that are stated.
+inline constexpr std::array<int, 5> statedPercentiles{5, 10, 50, 90, 95};
+
+/// The value that a share `fraction` of the values does not exceed, between neighbours in proportion (0: the smallest,
+/// 1: the largest, NIST handbook 7.2.6.2 with n - 1 intervals). `values` must not be empty.
+double quantileOf(std::vector<double> values, double fraction);
 
 /// A bound of the deterministic error of each point, by cause.
 using Systematic = std::map<std::string, std::vector<double>>;

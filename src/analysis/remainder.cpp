@@ -1,5 +1,7 @@
 #include "analysis/remainder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,6 +12,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "core/work_items.h"
 
 namespace goniolux::analysis {
 namespace {
@@ -17,13 +20,21 @@ namespace {
 constexpr std::size_t bands = 8;
 constexpr std::uint32_t pilotPaths = 32;       // per replicate
 constexpr std::uint32_t mostPaths = 1u << 15;  // per replicate
+constexpr std::uint32_t pathsAtOnce = 2048;
 constexpr std::uint64_t mostAttempts = 3;
 constexpr double worthlessShare = 0.5;  // of the interreflected light: a solution that is so wrong is of no use
 constexpr double timeShare = 0.3;       // of the time left
 constexpr double f95 = 2.09;            // F distribution, 7 and 120 degrees of freedom, 95 % point
 constexpr std::uint64_t pilotKey = 1, estimateKey = 2, shiftKey = 3;
 
+struct Piece {
+  std::uint64_t ofPaths = 0;  // of the round
+  double missed = 0;          // mean of a path, lx
+  std::array<double, bands> byBand{};
+};
+
 struct Round {
+  double wall_s = 0;
   std::array<double, replicateCount> missed{};  // mean of a path, lx
   std::array<std::array<double, bands>, replicateCount> byBand{};
 };
@@ -80,7 +91,8 @@ double spreadOf(const Round& estimate, std::size_t usedBands) {
 Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quantity,
                             const std::vector<solver::Receiver>& receivers,
                             const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
-                            double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress) {
+                            double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress,
+                            const core::Keeping& keeping) {
   const auto of = [&](const solver::Response& response) { return quantity.factor * response[quantity.channel]; };
   Remainder remainder;
   remainder.factors.assign(replicateCount, 0.0);
@@ -92,30 +104,45 @@ Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quanti
   const std::size_t points = receivers.size();
   const std::size_t usedBands = std::min(bands, std::bit_floor(points));
   const std::vector<std::size_t> bandOf = bandsOf(receivers);
+  // An item: some paths of one replicate. A kept one is of use for as many paths only.
   const auto round = [&](std::uint64_t roundKey, std::uint32_t paths) {
-    Round result;
-    core::parallelFor(replicateCount, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = begin; r < end && !progress.cancelled(); ++r) {
-        const std::uint64_t replicateKey = core::combine(core::combine(key, roundKey), r);
-        const double shift = core::Sampler(core::combine(replicateKey, shiftKey), 0).next();
-        // The points are visited evenly, in an order that has nothing to do with the directions' (golden section).
-        for (std::uint32_t j = 0; j < paths && !progress.cancelled(); ++j) {
-          const double place = j * 0.6180339887498949 + shift;
-          const auto i =
-              std::min(points - 1, static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(points)));
-          const double missed = of(solver.missed(receivers[i], replicateKey, j));
-          result.missed[r] += missed / paths;
-          result.byBand[r][bandOf[i]] += missed / paths * static_cast<double>(usedBands);
-        }
+    const std::uint32_t pieces = (paths + pathsAtOnce - 1) / pathsAtOnce;
+    std::vector<Piece> results(static_cast<std::size_t>(pieces) * replicateCount);
+    core::WorkItems items;
+    items.count = results.size();
+    items.work = [&](std::size_t item) {
+      Piece& piece = results[item];
+      piece.ofPaths = paths;
+      const std::uint64_t replicateKey = core::combine(core::combine(key, roundKey), item / pieces);
+      const double shift = core::Sampler(core::combine(replicateKey, shiftKey), 0).next();
+      const auto first = static_cast<std::uint32_t>(item % pieces) * pathsAtOnce;
+      // The points are visited evenly, in an order that has nothing to do with the directions' (golden section).
+      for (std::uint32_t j = first; j < std::min(paths, first + pathsAtOnce); ++j) {
+        const double place = j * 0.6180339887498949 + shift;
+        const auto i =
+            std::min(points - 1, static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(points)));
+        const double missed = of(solver.missed(receivers[i], replicateKey, j));
+        piece.missed += missed / paths;
+        piece.byBand[bandOf[i]] += missed / paths * static_cast<double>(usedBands);
       }
-    });
-    return result;
+    };
+    items.pack = [&](std::size_t item, std::string& bytes) { core::put(bytes, results[item]); };
+    items.unpack = [&](std::size_t item, std::string_view bytes) {
+      return core::take(bytes, results[item]) && results[item].ofPaths == paths;
+    };
+    Round sums;
+    sums.wall_s = core::doItems(items, keeping.part(fmt::format("{:x}", roundKey)), progress).wall_s;
+    for (std::size_t item = 0; item < results.size(); ++item) {
+      const std::size_t r = item / pieces;
+      sums.missed[r] += results[item].missed;
+      for (std::size_t b = 0; b < bands; ++b) sums.byBand[r][b] += results[item].byBand[b];
+    }
+    return sums;
   };
 
   const double quantile = core::studentQuantile(replicateCount - 1, confidence);
-  const double start = core::wallSeconds();
   const Round pilot = round(pilotKey, pilotPaths);
-  const double perPath = (core::wallSeconds() - start) / pilotPaths + 1e-9;
+  const double perPath = pilot.wall_s / pilotPaths + 1e-9;
   const core::ReplicateMean first = core::replicateMean(pilot.missed);
   // Where the solution says mostly what is not so (a dark room behind a wall without thickness), measuring how wrong it
   // is costs more than doing without it.

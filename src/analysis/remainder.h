@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/quantity.h"
+#include "core/kept_work.h"
 #include "core/progress.h"
 #include "solver/solver.h"
 
@@ -29,6 +30,7 @@ struct Remainder {
 Remainder estimateRemainder(const solver::Solver& solver, const Quantity& quantity,
                             const std::vector<solver::Receiver>& receivers,
                             const std::vector<std::unique_ptr<solver::ReceiverPlan>>& plans, std::uint64_t key,
-                            double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress);
+                            double allowed, double confidence, double secondsLeft, const core::ProgressSink& progress,
+                            const core::Keeping& keeping = {});
 
 }  // namespace goniolux::analysis

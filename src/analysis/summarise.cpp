@@ -9,6 +9,16 @@
 
 namespace goniolux::analysis {
 
+double quantileOf(std::vector<double> values, double fraction) {
+  const double place = fraction * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), values.begin() + below, values.end());
+  const double low = values[static_cast<std::size_t>(below)];
+  if (below + 1 == std::ssize(values)) return low;
+  const double high = *std::min_element(values.begin() + below + 1, values.end());
+  return low + (place - static_cast<double>(below)) * (high - low);
+}
+
 void summarise(const std::vector<std::vector<double>>& replicates, const Systematic& bias, double confidence,
                GridEstimate& e) {
   const std::size_t points = e.values.size();
@@ -47,6 +57,22 @@ void summarise(const std::vector<std::vector<double>>& replicates, const Systema
   };
   e.minimum = extreme(1);
   e.maximum = extreme(-1);
+
+  // A percentile grows with every value, so where no value is off by more than its half-width, it lies between the
+  // percentiles of all values less and plus theirs.
+  const auto percentile = [&](double fraction) {
+    core::Estimate result{quantileOf(e.values, fraction), 0, {}};
+    const auto reach = [&](const std::vector<double>& halfWidths) {
+      std::vector<double> low = e.values, high = e.values;
+      for (std::size_t i = 0; i < points; ++i) low[i] -= halfWidths[i], high[i] += halfWidths[i];
+      return std::max({quantileOf(std::move(high), fraction) - result.value,
+                       result.value - quantileOf(std::move(low), fraction), 0.0});
+    };
+    result.statistical = reach(e.statistical);
+    for (const auto& [cause, bounds] : bias) result.systematic[cause] = reach(bounds);
+    return result;
+  };
+  for (const int percent : statedPercentiles) e.percentiles[percent] = percentile(0.01 * percent);
 
   const auto ratio = [](const core::Estimate& a, const core::Estimate& b) {
     if (b.value == 0) return core::Estimate{};

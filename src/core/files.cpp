@@ -10,44 +10,33 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/descriptor.h"
 #include "core/document.h"
 
 namespace goniolux::core {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return number_; }
-  [[nodiscard]] bool ok() const { return number_ >= 0; }
-  /// False when the system reports, only now, that data was lost.
-  bool close() {
-    const int number = number_;
-    number_ = -1;
-    return number < 0 || ::close(number) == 0;
-  }
-
- private:
-  int number_;
-};
-
-std::string reason(int error) {
-  std::string text = std::strerror(error);
-  if (error == ENOSPC || error == EDQUOT) text += "; free some space and run again";
-  if (error == EACCES || error == EPERM || error == EROFS) text += "; check the folder's permissions";
-  if (error == ENOENT) text += "; does the folder exist?";
-  return text;
-}
 
 [[noreturn]] void cannotRead(const std::string& path, const std::string& why) {
   throw InputError({path, 0, 0}, "unreadable-file", fmt::format("this file cannot be read: {}", why));
 }
 
 [[noreturn]] void cannotWrite(const std::string& path, int error) {
-  throw RunError(fmt::format("{}: cannot be written: {}", path, reason(error)));
+  throw RunError(fmt::format("{}: cannot be written: {}", path, diskReason(error)));
+}
+
+}  // namespace
+
+bool Descriptor::close() {
+  const int number = release();
+  return number < 0 || ::close(number) == 0;
+}
+
+std::string diskReason(int error) {
+  std::string text = std::strerror(error);
+  if (error == ENOSPC || error == EDQUOT) text += "; free some space and run again";
+  if (error == EACCES || error == EPERM || error == EROFS) text += "; check the folder's permissions";
+  if (error == ENOENT) text += "; does the folder exist?";
+  return text;
 }
 
 bool writeAll(int descriptor, std::string_view bytes) {
@@ -59,8 +48,6 @@ bool writeAll(int descriptor, std::string_view bytes) {
   }
   return true;
 }
-
-}  // namespace
 
 std::string readFile(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));

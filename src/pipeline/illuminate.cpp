@@ -8,6 +8,8 @@
 #include "analysis/grid_estimate.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "pipeline/kept_run.h"
+#include "pipeline/lighting_power.h"
 #include "pipeline/observe.h"
 #include "pipeline/outline.h"
 #include "pipeline/requirements.h"
@@ -40,8 +42,13 @@ core::Estimate scaled(core::Estimate e, double factor) {
 class GridStage {
  public:
   GridStage(const project::Project& project, const Engine& engine, core::ProgressSink& progress,
-            const GridResultObserver& partial)
-      : project_(project), engine_(engine), progress_(progress), partial_(partial), solids_(solidsOf(project)) {}
+            const GridResultObserver& partial, const core::Keeping& keeping)
+      : project_(project),
+        engine_(engine),
+        progress_(progress),
+        partial_(partial),
+        keeping_(keeping),
+        solids_(solidsOf(project)) {}
 
   project::GridResult calculate(const analysis::Grid& grid, double secondsLeft, bool& reached,
                                 std::string& reachedText) {
@@ -80,15 +87,20 @@ class GridStage {
         partial_(known);
       };
     const auto& asked = project_.settings.accuracy;
-    const analysis::GridEstimate e = analysis::estimateGrid(
-        *engine_.solver, quantity, receivers, core::keyOf(project_.settings.seed, grid.name),
-        {asked.grid, asked.u0, asked.confidence, 0.01}, {secondsLeft}, progress_, grid.name, observer);
+    const analysis::GridEstimate e =
+        analysis::estimateGrid(*engine_.solver, quantity, receivers, core::keyOf(project_.settings.seed, grid.name),
+                               {asked.grid, asked.u0, asked.confidence, 0.01}, {secondsLeft}, progress_, grid.name,
+                               observer, keeping_.part("grid " + grid.name));
     fill(result, e, index);
     if (!e.reached) {
       reached = false;
-      reachedText += fmt::format("{}{}: {:.0f} % of the points within {:g} %, mean within {:.2g} %",
-                                 reachedText.empty() ? "" : "; ", grid.name, 100 * e.shareWithin, 100 * asked.grid,
-                                 e.mean.value > 0 ? 100 * e.mean.halfWidth() / e.mean.value : 0.0);
+      reachedText += reachedText.empty() ? "" : "; ";
+      if (std::isfinite(e.mean.value))
+        reachedText += fmt::format("{}: {:.0f} % of the points within {:g} %, mean within {:.2g} %", grid.name,
+                                   100 * e.shareWithin, 100 * asked.grid,
+                                   e.mean.value > 0 ? 100 * e.mean.halfWidth() / e.mean.value : 0.0);
+      else
+        reachedText += fmt::format("{}: interrupted before its first numbers", grid.name);
     }
     return result;
   }
@@ -146,6 +158,7 @@ class GridStage {
     result.max = withSpectral(e.maximum);
     result.u0 = e.u0;
     result.ud = e.ud;
+    for (const auto& [percent, estimate] : e.percentiles) result.percentiles[percent] = withSpectral(estimate);
     if (const auto maintenance = commonMaintenance(project_); maintenance && *maintenance > 0 && *maintenance != 1) {
       for (const double value : result.values) result.initialValues.push_back(value / *maintenance);
       result.initialMean = scaled(result.mean, 1 / *maintenance);
@@ -156,30 +169,33 @@ class GridStage {
   const Engine& engine_;
   core::ProgressSink& progress_;
   const GridResultObserver& partial_;
+  const core::Keeping& keeping_;
   std::vector<geometry::InsideTest> solids_;
 };
 
 StageReport illuminate(const StageRequest& request, core::ProgressSink& progress) {
   const project::Project project = readProjectFor(request, AccuracyOf::grids);
+  const std::string folder = resultsFolder(request, project);
+  KeptRun kept("illuminate", request, project, folder, progress);
   const Engine engine(project, false);
-  const project::Results results = calculateGrids(project, engine, progress);
+  const project::Results results = calculateGrids(project, engine, kept.progress(), {}, kept.keeping());
   StageReport report;
-  report.files = writeResults(project, results, resultsFolder(request, project));
+  report.files = writeResults(project, results, folder);
   report.json = project::toJson(results);
   report.text = resultsText(results);
   report.warnings = project.warnings;
   report.verdictFailed = anyFailed(results);
   report.unfinished = progress.cancelled();
+  kept.close(report, !report.unfinished && (results.reached || !project.settings.timeLimit_s));
   return report;
 }
 
 }  // namespace
 
 project::Results calculateGrids(const project::Project& project, const Engine& engine, core::ProgressSink& progress,
-                                const GridResultObserver& partial) {
+                                const GridResultObserver& partial, const core::Keeping& keeping) {
   const double start = core::wallSeconds();
-  const double cpuAtStart = core::processCpuSeconds();
-  const std::uint64_t raysAtStart = engine.solver->rays();
+  const Meter meter(*engine.solver, keeping);
   const auto elapsed = [&] { return core::wallSeconds() - start; };
 
   project::Results results;
@@ -192,23 +208,27 @@ project::Results calculateGrids(const project::Project& project, const Engine& e
   results.settingsUsed = planner::toJson(engine.plan, project);
   results.leftOut = leftOutSentences(engine);
 
-  GridStage stage(project, engine, progress, partial);
+  GridStage stage(project, engine, progress, partial, keeping);
   std::size_t left = project.grids.size() + (project.observers.empty() ? 0 : 1);
   for (const analysis::Grid& grid : project.grids) {
     // What is left of the time limit is shared by the grids that are left.
     const double limit = project.settings.timeLimit_s
                              ? std::max(0.0, *project.settings.timeLimit_s - elapsed()) / static_cast<double>(left)
                              : std::numeric_limits<double>::infinity();
-    results.grids.push_back(stage.calculate(grid, limit, results.reached, results.reachedText));
+    project::GridResult result = stage.calculate(grid, limit, results.reached, results.reachedText);
+    // Interrupted before its first numbers, a grid is left out: half a result is one, none is not.
+    if (std::isfinite(result.mean.value)) results.grids.push_back(std::move(result));
     --left;
   }
   const double rest = project.settings.timeLimit_s ? std::max(0.0, *project.settings.timeLimit_s - elapsed())
                                                    : std::numeric_limits<double>::infinity();
-  rateObservers(project, engine, rest, progress, results);
+  rateObservers(project, engine, rest, progress, results, keeping);
+  addLightingPower(project, engine, results);
   results.requirements = judge(project, results);
-  results.wallTime_s = elapsed();
-  results.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
-  results.rays = engine.solver->rays() - raysAtStart;
+  const core::Spent spent = meter.spent();
+  results.wallTime_s = spent.wall_s;
+  results.cpuTime_s = spent.cpu_s;
+  results.rays = spent.rays;
   return results;
 }
 
@@ -267,6 +287,7 @@ Stage illuminateStage() {
       "The quantity of every grid at its points and the UGR of every observer, with half-widths, to the accuracy asked "
       "for. Writes grids.json, and a CSV and a .vtp file per grid.";
   stage.inputName = "PROJECT";
+  stage.options = {resumeOption()};
   stage.run = illuminate;
   return stage;
 }

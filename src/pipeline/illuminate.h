@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "core/kept_work.h"
 #include "pipeline/engine.h"
 #include "project/results.h"
 
@@ -12,9 +13,9 @@ namespace goniolux::pipeline {
 using GridResultObserver = std::function<void(const project::GridResult&)>;
 
 /// Calculates every grid of the project to the accuracy asked for. A run that is cancelled or out of time keeps what it
-/// has and says so in Results::reachedText.
+/// has and says so in Results::reachedText. Finished work goes to `keeping`, and what is there is not done anew.
 project::Results calculateGrids(const project::Project& project, const Engine& engine, core::ProgressSink& progress,
-                                const GridResultObserver& partial = {});
+                                const GridResultObserver& partial = {}, const core::Keeping& keeping = {});
 
 /// Writes grids.json, a CSV and a .vtp per grid, and outline.json into the folder; returns the paths.
 std::vector<std::string> writeResults(const project::Project& project, const project::Results& results,

@@ -59,7 +59,7 @@ project::ObserverResult resultOf(const analysis::Observer& observer, const analy
 }  // namespace
 
 void rateObservers(const project::Project& project, const Engine& engine, double secondsLeft,
-                   core::ProgressSink& progress, project::Results& results) {
+                   core::ProgressSink& progress, project::Results& results, const core::Keeping& keeping) {
   if (project.observers.empty()) return;
   const double start = core::wallSeconds();
   const auto elapsed = [&] { return core::wallSeconds() - start; };
@@ -75,9 +75,10 @@ void rateObservers(const project::Project& project, const Engine& engine, double
             fmt::format("the eye of observer \"{}\" lies inside a solid object; move it", observer.name));
     progress.progress(observer.name, 0, "glare rating");
     const double limit = (secondsLeft - elapsed()) / static_cast<double>(left--);
-    const analysis::GlareEstimate estimate = analysis::estimateGlare(
-        *engine.solver, lights, observer.eye - engine.world.origin, observer.direction,
-        core::keyOf(project.settings.seed, observer.name), asked.ugr, asked.confidence, limit, progress);
+    const analysis::GlareEstimate estimate =
+        analysis::estimateGlare(*engine.solver, lights, observer.eye - engine.world.origin, observer.direction,
+                                core::keyOf(project.settings.seed, observer.name), asked.ugr, asked.confidence, limit,
+                                progress, keeping.part("observer " + observer.name));
     results.observers.push_back(resultOf(observer, estimate, project, engine));
     if (const std::string outside = outsideRange(estimate); !outside.empty())
       results.leftOut.push_back(fmt::format("observer \"{}\": {}", observer.name, outside));

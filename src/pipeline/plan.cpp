@@ -20,60 +20,98 @@ struct Forecast {
   double grids_s = 0, images_s = 0;
 };
 
-// From a coarse run at ten times the asked half-width: effort grows with the inverse square of it.
-constexpr double coarser = 10;
+constexpr double trialSeconds = 3;  // for each grid and each picture
+constexpr const char* missedTask = "what the light solution misses";
 
-double secondsFor(const auto& work) {
-  const double before = core::processCpuSeconds();
-  work();
-  return (core::processCpuSeconds() - before) / core::threadCount();
+double cpuPerThread() {
+  return core::processCpuSeconds() / core::threadCount();
+}
+
+/// Notes when a trial was looking for what the light solution misses: that costs the same however many points or pixels
+/// there are.
+class TrialClock final : public core::ProgressSink {
+ public:
+  void progress(const std::string&, double, const std::string& reached) override {
+    const double now = cpuPerThread();
+    if (isFixed_) fixed_s += now - last_;
+    isFixed_ = reached == missedTask;
+    last_ = now;
+  }
+  void note(const std::string&) override {}
+  double fixed_s = 0;
+
+ private:
+  double last_ = 0;
+  bool isFixed_ = false;
+};
+
+/// A trial with some of the grid's points at the accuracy asked for: what each costs, times their number.
+double gridSeconds(const project::Project& project, const Engine& engine, const analysis::Grid& grid) {
+  const auto& accuracy = project.settings.accuracy;
+  std::vector<solver::Receiver> some;
+  const std::size_t step = std::max<std::size_t>(1, grid.points.size() / 64);
+  for (std::size_t i = step / 2; i < grid.points.size(); i += step)
+    some.push_back({grid.points[i] - engine.world.origin, grid.normals[i], analysis::findQuantity(grid.quantity)->body,
+                    grid.axis});
+  if (some.empty()) return 0;
+  TrialClock clock;
+  const double start = cpuPerThread();
+  const analysis::GridEstimate e =
+      analysis::estimateGrid(*engine.solver, *analysis::findQuantity(grid.quantity), some, core::mix(1),
+                             {accuracy.grid, accuracy.u0, accuracy.confidence, 0.01}, {trialSeconds}, clock, grid.name);
+  const double seconds = cpuPerThread() - start;
+  // Out of time, the half-widths say what is left: effort grows with their square.
+  double more = 1;
+  if (!e.reached && seconds > 0.5 * trialSeconds) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < e.values.size(); ++i) {
+      const double allowed = accuracy.grid * std::max(e.values[i], 0.1 * e.mean.value);
+      if (allowed > 0) ratios.push_back(e.statistical[i] / allowed);
+    }
+    if (!ratios.empty()) more = std::max(1.0, std::pow(analysis::quantileOf(ratios, 0.9), 2));
+  }
+  const double perPoint = static_cast<double>(grid.points.size()) / static_cast<double>(some.size());
+  return clock.fixed_s + (seconds - clock.fixed_s) * perPoint * more;
+}
+
+/// Two small pictures of the view. Pixels across an edge need far more samples than others, and grow in number with the
+/// picture's length, not its area: seconds = a pixels + b length.
+double viewSeconds(const project::Project& project, const Engine& engine, const scene::View& view) {
+  const double pixels = static_cast<double>(view.width) * view.height;
+  double samples[2] = {}, size[2] = {}, perSample = 0, fixed = 0;
+  for (int k = 0; k < 2; ++k) {
+    scene::View small = view;
+    const double shrink = std::max(1.0, std::sqrt(pixels / (k == 0 ? 1024 : 4096)));
+    small.width = std::max(1, static_cast<int>(view.width / shrink));
+    small.height = std::max(1, static_cast<int>(view.height / shrink));
+    size[k] = static_cast<double>(small.width) * small.height;
+    TrialClock clock;
+    const double start = cpuPerThread();
+    const viewing::ImageEstimate e = viewing::renderView(*engine.solver, small, engine.world.origin, core::mix(2),
+                                                         pixelAccuracyOf(project.settings), trialSeconds, clock);
+    samples[k] = static_cast<double>(e.samples);
+    perSample = (cpuPerThread() - start - clock.fixed_s) / std::max(1.0, samples[k]);
+    fixed = clock.fixed_s;
+    if (size[k] >= pixels) return fixed + perSample * samples[k];
+  }
+  const double l0 = std::sqrt(size[0]), l1 = std::sqrt(size[1]);
+  const double b = std::max(0.0, (samples[0] / size[0] - samples[1] / size[1]) / (1 / l0 - 1 / l1));
+  const double a = samples[1] / size[1] - b / l1;
+  return fixed + perSample * (std::max(a, 0.25 * samples[1] / size[1]) * pixels + b * std::sqrt(pixels));
 }
 
 Forecast forecast(const project::Project& project, const Engine& engine) {
   Forecast f;
-  core::SilentProgress silent;
-  const auto& accuracy = project.settings.accuracy;
-  for (const analysis::Grid& grid : project.grids) {
-    const analysis::Quantity& quantity = *analysis::findQuantity(grid.quantity);
-    std::vector<solver::Receiver> some;
-    const std::size_t step = std::max<std::size_t>(1, grid.points.size() / 64);
-    for (std::size_t i = step / 2; i < grid.points.size(); i += step)
-      some.push_back({grid.points[i] - engine.world.origin, grid.normals[i], quantity.body, grid.axis});
-    if (some.empty()) continue;
-    double reached = coarser;
-    const double seconds = secondsFor([&] {
-      const auto e = analysis::estimateGrid(*engine.solver, quantity, some, core::mix(1),
-                                            {coarser * accuracy.grid, coarser * accuracy.u0, accuracy.confidence, 0.01},
-                                            {5.0}, silent, grid.name);
-      // The share of the allowed half-width that the coarse run used, typically.
-      std::vector<double> relative;
-      for (std::size_t i = 0; i < e.values.size(); ++i)
-        if (e.values[i] > 0) relative.push_back(e.statistical[i] / (accuracy.grid * e.values[i]));
-      if (relative.empty()) return;
-      std::nth_element(relative.begin(), relative.begin() + static_cast<std::ptrdiff_t>(relative.size() * 9 / 10),
-                       relative.end());
-      reached = std::max(1.0, relative[relative.size() * 9 / 10]);
-    });
-    f.grids_s += seconds * static_cast<double>(step) * std::max(1.0, reached * reached);
-  }
-  for (scene::View view : project.views) {
-    const double pixels = static_cast<double>(view.width) * view.height;
-    const double shrink = std::max(1.0, std::sqrt(pixels / 1024));
-    view.width = std::max(1, static_cast<int>(view.width / shrink));
-    view.height = std::max(1, static_cast<int>(view.height / shrink));
-    viewing::ImageEstimate e;
-    const double seconds = secondsFor([&] {
-      e = viewing::renderView(*engine.solver, view, engine.world.origin, core::mix(2),
-                              pixelAccuracyOf(project.settings), 5.0, silent);
-    });
-    f.images_s += seconds * pixels / (static_cast<double>(view.width) * view.height);
-  }
+  for (const analysis::Grid& grid : project.grids) f.grids_s += gridSeconds(project, engine, grid);
+  for (const scene::View& view : project.views) f.images_s += viewSeconds(project, engine, view);
   return f;
 }
 
 StageReport plan(const StageRequest& request, core::ProgressSink&) {
   const project::Project project = readProjectFor(request, AccuracyOf::both);
+  const double start = cpuPerThread();
   const Engine engine(project, !project.views.empty());
+  const double preparation_s = cpuPerThread() - start;
   const Forecast f = forecast(project, engine);
 
   StageReport report;
@@ -83,10 +121,11 @@ StageReport plan(const StageRequest& request, core::ProgressSink&) {
                             engine.plan.quadrature.wavelengths.size(), engine.plan.quadrature.scheme);
   for (const std::string& reason : engine.plan.reasons) report.text += "  because: " + reason + "\n";
   for (const std::string& sentence : leftOutSentences(engine)) report.text += "  left out: " + sentence + "\n";
-  report.json.set("predicted_time_s", f.grids_s + f.images_s);
+  report.json.set("predicted_time_s", preparation_s + f.grids_s + f.images_s);
   report.text += fmt::format(
-      "  about {:.1f} s for the grids to {:g} %, {:.1f} s for the views to {:g} %, on {} threads\n", f.grids_s,
-      100 * project.settings.accuracy.grid, f.images_s, 100 * project.settings.accuracy.image, core::threadCount());
+      "  about {:.1f} s to begin, {:.1f} s for the grids to {:g} %, {:.1f} s for the views to {:g} %, on {} threads\n",
+      preparation_s, f.grids_s, 100 * project.settings.accuracy.grid, f.images_s, 100 * project.settings.accuracy.image,
+      core::threadCount());
   if (request.common.output) {
     const std::filesystem::path file = std::filesystem::path(*request.common.output) / "plan.json";
     std::error_code error;

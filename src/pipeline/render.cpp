@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
+#include "analysis/grid_estimate.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "image/exr.h"
 #include "image/mix.h"
+#include "image/patch.h"
 #include "pipeline/image_form.h"
+#include "pipeline/kept_run.h"
 #include "pipeline/render_layers.h"
 #include "pipeline/stages.h"
 #include "pipeline/text_option.h"
@@ -75,6 +80,31 @@ void describe(viewing::ImageEstimate& estimate, const project::Project& project,
   attributes["accuracyReached"] = fmt::format("{:.1f} % of the pixels", 100 * estimate.shareWithin);
 }
 
+/// Mean, extremes and percentiles of the picture's luminance.
+void addStatistics(const image::XyzImage& picture, RenderedView& view) {
+  const image::PatchReading all =
+      image::readPatch(picture, picture.width / 2, picture.height / 2, std::hypot(picture.width, picture.height));
+  view.luminance = {all.luminance.value, all.luminance.halfWidth, {}};
+  view.least = all.least;
+  view.most = all.most;
+  std::vector<double> values, low, high;
+  for (std::size_t i = 0; i < picture.y.size(); ++i) {
+    const auto luminance = static_cast<double>(picture.y[i]), halfWidth = static_cast<double>(picture.halfWidth[i]);
+    if (!std::isfinite(luminance) || !std::isfinite(halfWidth)) continue;
+    values.push_back(luminance);
+    low.push_back(luminance - halfWidth);
+    high.push_back(luminance + halfWidth);
+  }
+  if (values.empty()) return;
+  for (const int percent : analysis::statedPercentiles) {
+    const double value = analysis::quantileOf(values, 0.01 * percent);
+    view.percentiles[percent] = {
+        value,
+        std::max(analysis::quantileOf(high, 0.01 * percent) - value, value - analysis::quantileOf(low, 0.01 * percent)),
+        {}};
+  }
+}
+
 StageReport render(const StageRequest& request, core::ProgressSink& progress) {
   const project::Project project = readProjectFor(request, AccuracyOf::images);
   const auto asked = request.options.find("view");
@@ -93,16 +123,25 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
   if (const auto channels = request.options.find("channels"); channels != request.options.end())
     options.channels = spectralRangeFrom(channels->second);
   const std::string folder = resultsFolder(request, project);
-  if (request.options.contains("layers")) return renderLayers(project, views, folder, options, progress);
+  KeptRun kept("render", request, project, folder, progress);
+  options.keeping = kept.keeping();
+  const auto outOfTime = [&](bool reached) { return !reached && project.settings.timeLimit_s.has_value(); };
+  if (request.options.contains("layers")) {
+    StageReport report = renderLayers(project, views, folder, options, kept.progress());
+    kept.close(report, !report.unfinished);
+    return report;
+  }
 
   const Engine engine(project, true);
   StageReport report;
   report.warnings = project.warnings;
   core::Value list;
   const double limit = project.settings.timeLimit_s.value_or(std::numeric_limits<double>::infinity());
+  bool isFinished = true;
   for (const scene::View* view : views) {
-    const RenderedView done =
-        renderToFile(project, engine, *view, folder, limit / static_cast<double>(views.size()), progress, {}, options);
+    const RenderedView done = renderToFile(project, engine, *view, folder, limit / static_cast<double>(views.size()),
+                                           kept.progress(), {}, options);
+    isFinished = isFinished && !outOfTime(done.reached);
     report.files.push_back(done.file);
     report.text += renderText(done, project);
     if (views.size() == 1) report.json = toJson(done, engine);
@@ -111,6 +150,7 @@ StageReport render(const StageRequest& request, core::ProgressSink& progress) {
   }
   if (views.size() > 1) report.json.set("views", std::move(list));
   report.unfinished = progress.cancelled();
+  kept.close(report, isFinished && !report.unfinished);
   return report;
 }
 
@@ -130,9 +170,8 @@ viewing::PixelAccuracy pixelAccuracyOf(const project::Settings& settings) {
 RenderedView renderToFile(const project::Project& project, const Engine& engine, const scene::View& view,
                           const std::string& folder, double secondsLeft, core::ProgressSink& progress,
                           const viewing::ImageObserver& partial, const RenderOptions& options) {
-  const double start = core::wallSeconds();
-  const double cpuAtStart = core::processCpuSeconds();
-  const std::uint64_t raysAtStart = engine.solver->rays();
+  const core::Keeping keeping = options.keeping.part("view " + view.name);
+  const Meter meter(*engine.solver, keeping);
   const auto& settings = project.settings;
 
   std::uint64_t key = core::mix(settings.seed + 0x1a6e);
@@ -151,8 +190,8 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
                            fmt::format("the solver '{}' does not part direct and indirect light; use --solver path or "
                                        "gather",
                                        engine.plan.solver));
-  viewing::ImageEstimate estimate =
-      viewing::renderView(*engine.solver, view, engine.world.origin, key, asked, secondsLeft, progress, observer);
+  viewing::ImageEstimate estimate = viewing::renderView(*engine.solver, view, engine.world.origin, key, asked,
+                                                        secondsLeft, progress, observer, keeping);
 
   describe(estimate, project, engine, view);
 
@@ -164,17 +203,19 @@ RenderedView renderToFile(const project::Project& project, const Engine& engine,
   done.file = (fs::path(folder) / imageFileName(view)).string();
   for (const auto& [name, value] : options.attributes) estimate.image.attributes[name] = value;
   if (options.channels)
-    estimate.image.spectrum = renderSpectrum(project, engine, view, key, *options.channels, progress);
+    estimate.image.spectrum = renderSpectrum(project, engine, view, key, *options.channels, progress, keeping);
   image::writeExr(done.file, estimate.image, options.form);
   done.reached = estimate.reached;
   done.shareWithin = estimate.shareWithin;
   done.missed = estimate.missed;
   done.samples = estimate.samples;
+  addStatistics(estimate.image, done);
   done.width = view.width;
   done.height = view.height;
-  done.wallTime_s = core::wallSeconds() - start;
-  done.cpuTime_s = core::processCpuSeconds() - cpuAtStart;
-  done.rays = engine.solver->rays() - raysAtStart;
+  const core::Spent spent = meter.spent();
+  done.wallTime_s = spent.wall_s;
+  done.cpuTime_s = spent.cpu_s;
+  done.rays = spent.rays;
   return done;
 }
 
@@ -193,6 +234,20 @@ core::Value toJson(const RenderedView& view, const Engine& engine) {
   time.set("cpu", view.cpuTime_s);
   json.set("time_s", std::move(time));
   json.set("rays", view.rays);
+  const auto withHalfWidth = [](const core::Estimate& e) {
+    core::Value value;
+    value.set("value", e.value);
+    value.set("half_width", e.halfWidth());
+    return value;
+  };
+  core::Value luminance, percentiles;
+  luminance.set("mean", withHalfWidth(view.luminance));
+  luminance.set("min", view.least);
+  luminance.set("max", view.most);
+  for (const auto& [percent, estimate] : view.percentiles)
+    percentiles.set(std::to_string(percent), withHalfWidth(estimate));
+  if (!percentiles.isNull()) luminance.set("percentiles", std::move(percentiles));
+  json.set("luminance_cd_m2", std::move(luminance));
   json.set("samples_per_pixel", static_cast<double>(view.samples) / (view.width * view.height));
   json.set("spectral_samples", static_cast<double>(engine.plan.quadrature.wavelengths.size()));
   json.set("interreflection", view.missed);
@@ -200,9 +255,15 @@ core::Value toJson(const RenderedView& view, const Engine& engine) {
   for (const std::string& sentence : leftOutSentences(engine)) leftOut.emplace_back(sentence);
   json.set("left_out", std::move(leftOut));
   if (const auto statistics = engine.solver->statistics(); !statistics.empty()) {
-    core::Value figures;
-    for (const solver::Statistic& figure : statistics) figures.set(figure.name, figure.value);
+    core::Value figures, tree;
+    for (const solver::Statistic& figure : statistics) {
+      figures.set(figure.name, figure.value);
+      if (figure.name == "average_tree_depth") tree.set("average_depth", figure.value);
+      if (figure.name == "maximum_tree_depth") tree.set("max_depth", figure.value);
+      if (figure.name == "nodes") tree.set("nodes", figure.value);
+    }
     json.set("statistics", std::move(figures));
+    if (!tree.isNull()) json.set("tree", std::move(tree));
   }
   return json;
 }
@@ -241,10 +302,13 @@ Stage renderStage() {
                                      false);
   parts.kind = core::ParameterKind::boolean;
   stage.options = {
-      view, layers, parts,
+      view,
+      layers,
+      parts,
       textOption("channels", "spectral channels", "",
                  "FROM:TO:STEP in nm, such as 400:700:10: spectral radiance in W/(m2 sr nm) beside X, Y, Z", false),
-      imageFormOption()};
+      imageFormOption(),
+      resumeOption()};
   stage.run = render;
   return stage;
 }

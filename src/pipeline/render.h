@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "core/estimate.h"
+#include "core/kept_work.h"
 #include "image/exr.h"
 #include "pipeline/engine.h"
 #include "pipeline/render_spectrum.h"
@@ -19,6 +21,9 @@ struct RenderedView {
   double missed = 0;  ///< viewing::ImageEstimate::missed
   std::uint64_t rays = 0, samples = 0;
   int width = 0, height = 0;
+  core::Estimate luminance;                   ///< mean of the picture, cd/m2
+  double least = 0, most = 0;                 ///< of its pixels
+  std::map<int, core::Estimate> percentiles;  ///< by percent: that share of the pixels has no more
 };
 
 struct RenderOptions {
@@ -26,6 +31,7 @@ struct RenderOptions {
   std::optional<SpectralRange> channels;          ///< spectral channels beside X, Y, Z
   bool parts = false;                             ///< direct and indirect light as layers
   std::map<std::string, std::string> attributes;  ///< further ones of the image
+  core::Keeping keeping;                          ///< where finished work is kept
 };
 
 /// What a project asks of its pictures.

@@ -70,6 +70,7 @@ StageReport renderLayers(const project::Project& project, const std::vector<cons
     const project::Project alone = onlyGroup(project, layer);
     const Engine engine(alone, true);
     RenderOptions own = options;
+    own.keeping = options.keeping.part("layer " + layer);
     own.attributes[keyAttribute] = key;
     own.attributes["layer"] = layer;
     const double parts = static_cast<double>(layers.size() * views.size());

@@ -66,7 +66,8 @@ SpectralRange spectralRangeFrom(const std::string& text) {
 
 std::vector<image::SpectralChannel> renderSpectrum(const project::Project& project, const Engine& engine,
                                                    const scene::View& view, std::uint64_t key,
-                                                   const SpectralRange& range, core::ProgressSink& progress) {
+                                                   const SpectralRange& range, core::ProgressSink& progress,
+                                                   const core::Keeping& keeping) {
   const std::vector<double> all = range.wavelengths();
   std::vector<image::SpectralChannel> channels;
   for (std::size_t first = 0; first < all.size() && !progress.cancelled(); first += planes) {
@@ -76,9 +77,9 @@ std::vector<image::SpectralChannel> renderSpectrum(const project::Project& proje
     const spectrum::SpectralQuadrature quadrature = quadratureFor(engine.world.sourceSpectra, some, range.step_nm);
     const auto solver = solver::findSolverType(engine.plan.solver)
                             ->make({engine.world, engine.tracer, quadrature, engine.plan.accuracy, engine.plan.tree});
-    viewing::ImageEstimate estimate =
-        viewing::renderView(*solver, view, engine.world.origin, key, pixelAccuracyOf(project.settings),
-                            std::numeric_limits<double>::infinity(), progress);
+    viewing::ImageEstimate estimate = viewing::renderView(
+        *solver, view, engine.world.origin, key, pixelAccuracyOf(project.settings),
+        std::numeric_limits<double>::infinity(), progress, {}, keeping.part(fmt::format("channels {}", first)));
     image::XyzImage& image = estimate.image;
     std::vector<float>* values[] = {&image.x, &image.y, &image.z};
     std::vector<float>* halfWidths[] = {&estimate.halfWidthX, &image.halfWidth, &estimate.halfWidthZ};

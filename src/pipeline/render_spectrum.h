@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/kept_work.h"
 #include "image/xyz_image.h"
 #include "pipeline/engine.h"
 #include "viewing/pixel_loop.h"
@@ -23,6 +24,7 @@ SpectralRange spectralRangeFrom(const std::string& text);
 /// it. W/(m2 sr nm).
 std::vector<image::SpectralChannel> renderSpectrum(const project::Project& project, const Engine& engine,
                                                    const scene::View& view, std::uint64_t key,
-                                                   const SpectralRange& range, core::ProgressSink& progress);
+                                                   const SpectralRange& range, core::ProgressSink& progress,
+                                                   const core::Keeping& keeping = {});
 
 }  // namespace goniolux::pipeline

@@ -32,6 +32,8 @@ core::Estimate colourRenderingOf(const project::Project& project) {
   return lowest;
 }
 
+/// NaN when it is not known: of a grid that an interrupted run has no numbers of. Nothing where it is not calculated:
+/// glare ratings of lighting scenes.
 std::optional<core::Estimate> quantityOf(const project::Results& results, const analysis::Requirement& requirement,
                                          const std::string& key) {
   for (const auto& grid : results.grids) {
@@ -44,7 +46,8 @@ std::optional<core::Estimate> quantityOf(const project::Results& results, const 
   }
   for (const auto& observer : results.observers)
     if (observer.name == requirement.observer && observer.quantity == key) return observer.value;
-  return std::nullopt;
+  if (requirement.grid.empty()) return std::nullopt;
+  return core::Estimate{std::numeric_limits<double>::quiet_NaN(), 0, {}};
 }
 
 Verdict verdictOf(const core::Estimate& e, const analysis::Limit& limit) {

@@ -208,7 +208,11 @@ Results superposed(const std::map<std::string, Results>& groups, const std::map<
     grid.mean = {};
     grid.initialValues.clear();
     grid.initialMean.reset();
+    grid.percentiles.clear();
+    grid.utilance.reset();
+    grid.powerPer100lx.reset();
   }
+  sum.power.reset();
   for (const auto& [name, part] : groups) {
     const auto found = levels.find(name);
     const double level = found == levels.end() ? 0 : found->second;

@@ -7,6 +7,7 @@
 #include "core/document.h"
 #include "pipeline/engine.h"
 #include "pipeline/illuminate.h"
+#include "pipeline/kept_run.h"
 #include "pipeline/kept_wavelengths.h"
 #include "pipeline/outline.h"
 #include "pipeline/requirements.h"
@@ -46,8 +47,13 @@ Keep keepOf(const StageRequest& request) {
 // The groups' results, from what was kept or calculated now.
 class Groups {
  public:
-  Groups(const project::Project& project, std::string folder, core::ProgressSink& progress, StageReport& report)
-      : project_(project), folder_(std::move(folder)), progress_(progress), report_(report) {
+  Groups(const project::Project& project, std::string folder, core::ProgressSink& progress, StageReport& report,
+         core::Keeping keeping)
+      : project_(project),
+        folder_(std::move(folder)),
+        progress_(progress),
+        report_(report),
+        keeping_(std::move(keeping)) {
     fs::create_directories(folder_);
   }
 
@@ -97,7 +103,7 @@ class Groups {
       return found;
     }
     progress_.note(fmt::format("group \"{}\" is calculated", name));
-    Results calculated = calculateGrids(alone, Engine(alone, false), progress_);
+    Results calculated = calculateGrids(alone, Engine(alone, false), progress_, {}, keeping_.part("group " + name));
     calculated.projectHash = key;
     calculated.lightingScene = name;
     ++traced;
@@ -111,6 +117,7 @@ class Groups {
   std::string folder_;
   core::ProgressSink& progress_;
   StageReport& report_;
+  core::Keeping keeping_;
 };
 
 StageReport run(const StageRequest& request, core::ProgressSink& progress) {
@@ -121,12 +128,14 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
 
   StageReport report;
   report.warnings = project.warnings;
-  Groups groups(project, (fs::path(folder) / "groups").string(), progress, report);
+  KeptRun keptRun("scenes", request, project, folder, progress);
+  Groups groups(project, (fs::path(folder) / "groups").string(), keptRun.progress(), report, keptRun.keeping());
   const bool whole = keep == Keep::spectra
                          ? groups.forSpectra(KeptWavelengths(project, scene::buildWorld(project.environment)))
                          : groups.forLevels();
   if (!whole) {
     report.unfinished = true;
+    keptRun.close(report, false);
     return report;
   }
 
@@ -168,6 +177,7 @@ StageReport run(const StageRequest& request, core::ProgressSink& progress) {
   report.json.set("groups_calculated", static_cast<double>(groups.traced));
   report.json.set("groups_kept", static_cast<double>(groups.reused));
   report.json.set("scenes", documents);
+  keptRun.close(report, true);
   return report;
 }
 
@@ -187,7 +197,8 @@ Stage scenesStage() {
   stage.options = {textOption("keep", "for what changes the groups are kept", "levels",
                               "levels: dimming; spectra: dimming and lamp spectra, from one calculation per group and "
                               "wavelength (where finishes are coloured: some ten times the work, once)",
-                              false)};
+                              false),
+                   resumeOption()};
   stage.run = run;
   return stage;
 }

@@ -33,6 +33,7 @@ struct StageRequest {
   CommonOptions common;
   std::map<std::string, std::string> options;   ///< the stage's own options by key, e.g. "view"
   std::optional<std::string> projectText = {};  ///< taken instead of the project file's: an unsaved document
+  std::optional<double> keepEvery_s = {};       ///< how often finished work goes to disk; unset: as KeptWork does
 };
 
 struct StageReport {

@@ -62,6 +62,13 @@ Value toJson(const GridResult& grid) {
   json.set("max", toJson(grid.max));
   json.set("u0", toJson(grid.u0));
   json.set("ud", toJson(grid.ud));
+  if (!grid.percentiles.empty()) {
+    Value percentiles = Value::Object{};
+    for (const auto& [percent, estimate] : grid.percentiles) percentiles.set(std::to_string(percent), toJson(estimate));
+    json.set("percentiles", std::move(percentiles));
+  }
+  if (grid.utilance) json.set("utilance", toJson(*grid.utilance));
+  if (grid.powerPer100lx) json.set("power_density_w_m2_per_100_lx", toJson(*grid.powerPer100lx));
   if (!grid.initialValues.empty() || grid.initialMean) {
     Value initial = Value::Object{};
     if (!grid.initialValues.empty()) initial.set("values", Value::arrayOf(grid.initialValues));
@@ -177,6 +184,16 @@ Value toJson(const Results& results) {
   json.set("grids", std::move(grids));
   json.set("observers", std::move(observers));
   json.set("requirements", std::move(requirements));
+  if (results.power) {
+    const LightingPower& power = *results.power;
+    const auto orNull = [](const std::optional<double>& number) { return number ? Value(*number) : Value(); };
+    Value entry;
+    entry.set("flux_lm", power.flux_lm);
+    entry.set("connected_load_w", orNull(power.connectedLoad_W));
+    entry.set("floor_area_m2", orNull(power.floorArea_m2));
+    entry.set("power_density_w_m2", power.density_W_m2 ? toJson(*power.density_W_m2) : Value());
+    json.set("lighting_power", std::move(entry));
+  }
   Value::Array inputs;
   for (const InputFile& input : results.inputs) {
     Value entry;

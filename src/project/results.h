@@ -38,11 +38,14 @@ struct GridResult {
   std::vector<double> values;                ///< one per point; NaN where excluded
   std::vector<double> halfWidths;            ///< total half-width, one per point; NaN where excluded
   std::map<std::string, std::vector<double>>
-      parts;                          ///< half-widths by cause: "statistical", "truncation", "spectral", …
-  std::vector<std::size_t> excluded;  ///< points inside solids, ascending; not counted in the figures below
-  core::Estimate mean, min, max;      ///< in `unit`
-  core::Estimate u0, ud;              ///< min/mean and min/max
-  std::vector<double> initialValues;  ///< the same points with maintenance 1; empty when not calculated
+      parts;                                    ///< half-widths by cause: "statistical", "truncation", "spectral", …
+  std::vector<std::size_t> excluded;            ///< points inside solids, ascending; not counted in the figures below
+  core::Estimate mean, min, max;                ///< in `unit`
+  core::Estimate u0, ud;                        ///< min/mean and min/max
+  std::map<int, core::Estimate> percentiles{};  ///< by percent: that share of the points has no more
+  std::optional<core::Estimate> utilance{};     ///< flux on the plane over the flux that leaves the sources
+  std::optional<core::Estimate> powerPer100lx{};  ///< W/m2 for 100 lx of the mean
+  std::vector<double> initialValues;              ///< the same points with maintenance 1; empty when not calculated
   std::optional<core::Estimate> initialMean;
 
   /// Value and half-width of one point; what is not statistical stands together under "all".
@@ -64,6 +67,14 @@ struct ObserverResult {
   core::Vec3 eye{0}, direction{1, 0, 0};     ///< project frame
   core::Estimate background{};               ///< luminance, cd/m2
   std::vector<GlareSourceResult> sources{};  ///< the largest share first
+};
+
+/// What light the installation gives and what load it needs for it.
+struct LightingPower {
+  double flux_lm = 0;                     ///< that leaves all sources as they are lit: maintained, dimmed
+  std::optional<double> connectedLoad_W;  ///< of all luminaires undimmed; nothing where one does not state its own
+  std::optional<double> floorArea_m2;
+  std::optional<core::Estimate> density_W_m2;  ///< connected load over floor area (LPD)
 };
 
 struct RequirementResult {
@@ -95,6 +106,7 @@ struct Results {
   std::vector<GridResult> grids;
   std::vector<ObserverResult> observers;
   std::vector<RequirementResult> requirements;
+  std::optional<LightingPower> power;
   std::vector<InputFile> inputs;  ///< every file that was read, the project file first
 };
 

@@ -61,6 +61,8 @@ class Reader {
     for (const Value& entry : list(document, "grids", true)) results.grids.push_back(grid(entry));
     for (const Value& entry : list(document, "observers", false)) results.observers.push_back(observer(entry));
     for (const Value& entry : list(document, "requirements", false)) results.requirements.push_back(requirement(entry));
+    if (const Value* power = document.find("lighting_power"); power && power->isObject())
+      results.power = lightingPower(*power);
     for (const Value& entry : list(document, "inputs", false))
       results.inputs.push_back({text(entry, "path", true), text(entry, "sha256", true)});
     if (diagnostics_.hasErrors()) throw core::InputError(diagnostics_);
@@ -270,11 +272,37 @@ class Reader {
     grid.max = estimate(json, "max");
     grid.u0 = ratio(json, "u0");
     grid.ud = ratio(json, "ud");
+    if (const Value* percentiles = json.find("percentiles"); percentiles && percentiles->isObject())
+      for (const auto& [percent, value] : percentiles->object()) {
+        int number = 0;
+        const auto [end, error] = std::from_chars(percent.data(), percent.data() + percent.size(), number);
+        if (error != std::errc() || end != percent.data() + percent.size() || number < 0 || number > 100)
+          complain(value, "\"percentiles\" must be named by whole numbers from 0 to 100");
+        else
+          grid.percentiles[number] = ratio(*percentiles, percent);
+      }
+    if (json.find("utilance")) grid.utilance = estimate(json, "utilance");
+    if (json.find("power_density_w_m2_per_100_lx"))
+      grid.powerPer100lx = estimate(json, "power_density_w_m2_per_100_lx");
     if (const Value* initial = json.find("initial"); initial && initial->isObject()) {
       if (initial->find("values")) grid.initialValues = perPoint(*initial, "values", -infinity, isExcluded);
       if (initial->find("mean")) grid.initialMean = estimate(*initial, "mean");
     }
     return grid;
+  }
+
+  LightingPower lightingPower(const Value& json) {
+    const auto orNothing = [&](const char* key) -> std::optional<double> {
+      const Value* value = json.find(key);
+      return value && !value->isNull() ? std::optional(number(json, key, 0, infinity)) : std::nullopt;
+    };
+    LightingPower power;
+    power.flux_lm = number(json, "flux_lm", 0, infinity);
+    power.connectedLoad_W = orNothing("connected_load_w");
+    power.floorArea_m2 = orNothing("floor_area_m2");
+    if (const Value* density = json.find("power_density_w_m2"); density && !density->isNull())
+      power.density_W_m2 = estimate(json, "power_density_w_m2");
+    return power;
   }
 
   void counts(const Value& json, GridResult& grid) {

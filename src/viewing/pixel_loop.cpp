@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "core/work_items.h"
 #include "viewing/pixel_samples.h"
 
 namespace goniolux::viewing {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t replicates = PixelSamples::replicates;
 constexpr double shareAsked = 0.95;
+constexpr double shareOfFirst = 0.3, mostForeseen = 0.95;  // of the progress that is told
 constexpr int tile = 16;
 constexpr std::uint32_t missedPaths = 512;  // per replicate, each of a few branches
 constexpr std::uint64_t missedKey = 0x3155ed;
@@ -38,12 +40,13 @@ std::uint32_t perReplicate(int samples) {
 class PixelLoop {
  public:
   PixelLoop(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin, std::uint64_t key,
-            const PixelAccuracy& accuracy)
+            const PixelAccuracy& accuracy, core::Keeping keeping)
       : solver_(solver),
         view_(view),
         worldOrigin_(worldOrigin),
         key_(key),
         accuracy_(accuracy),
+        keeping_(std::move(keeping)),
         filter_(accuracy.filter != nullptr ? *accuracy.filter : pixelFilters().front()),
         fewest_(perReplicate(accuracy.fewestSamples)),
         most_(std::max(fewest_,
@@ -57,30 +60,72 @@ class PixelLoop {
   /// picture.
   void firstPass(const std::function<bool()>& goOn, const ImageObserver& partial, core::ProgressSink& progress) {
     for (std::size_t r = 0; r < replicates; ++r) {
-      forAllPixels(progress, [&](std::size_t i, int x, int y) { sampleReplicate(i, x, y, r, 0, fewest_); });
-      if (progress.cancelled()) return;
+      core::WorkItems items;
+      items.work = [&](std::size_t t) {
+        forPixelsOf(t, [&](std::size_t i, int x, int y) { sampleReplicate(i, x, y, r, 0, fewest_); });
+      };
+      items.pack = [&](std::size_t t, std::string& bytes) {
+        forPixelsOf(t, [&](std::size_t i, int, int) { putReplicate(i, r, bytes); });
+      };
+      items.unpack = [&](std::size_t t, std::string_view bytes) {
+        bool fits = true;
+        forPixelsOf(t, [&](std::size_t i, int, int) { fits = fits && takeReplicate(i, r, bytes); });
+        return fits;
+      };
+      items.told = [&](double share) { tell(progress, shareOfFirst * (static_cast<double>(r) + share) / replicates); };
+      if (!forAllTiles(items, fmt::format("replicate {}", r), progress)) return;
       seen_.setComplete(r + 1);
       direct_.setComplete(r + 1);
-      progress.progress(view_.name, 0.3 * static_cast<double>(r + 1) / replicates, "first samples");
+      tell(progress, shareOfFirst * static_cast<double>(r + 1) / replicates);
       if (partial && r + 1 < replicates) partial(result());
       if (r + 1 >= fewestReplicates && !goOn()) return;
     }
+  }
+  /// What is told with the progress from now on.
+  void tellReached(core::ProgressSink& progress, std::string reached) {
+    reached_ = std::move(reached);
+    tell(progress, told_);
   }
   [[nodiscard]] bool firstPassIsComplete() const { return seen_.complete() == replicates; }
 
   /// Takes every pixel to the samples per replicate that it should have. False when cancelled in the middle.
   bool pass(core::ProgressSink& progress) {
-    forAllPixels(progress, [&](std::size_t i, int x, int y) {
-      for (std::size_t r = 0; r < replicates; ++r) {
-        const std::size_t half = PixelSamples::halfOf(r);
-        sampleReplicate(i, x, y, r, seen_.samples(i, half), wanted_[i][half]);
-      }
+    ++passes_;
+    double planned = 0, taken = 0;
+    for (std::size_t i = 0; i < count_; ++i)
       for (std::size_t half = 0; half < PixelSamples::halves; ++half) {
-        seen_.setSamples(i, half, wanted_[i][half]);
-        if (accuracy_.parts) direct_.setSamples(i, half, wanted_[i][half]);
+        planned += wanted_[i][half];
+        taken += seen_.samples(i, half);
       }
-    });
-    return !progress.cancelled();
+    core::WorkItems items;
+    items.work = [&](std::size_t t) {
+      forPixelsOf(t, [&](std::size_t i, int x, int y) {
+        for (std::size_t r = 0; r < replicates; ++r) {
+          const std::size_t half = PixelSamples::halfOf(r);
+          sampleReplicate(i, x, y, r, seen_.samples(i, half), wanted_[i][half]);
+        }
+        for (std::size_t half = 0; half < PixelSamples::halves; ++half) setSamples(i, half, wanted_[i][half]);
+      });
+    };
+    // Of every pixel: its samples, and the replicates of those halves that this pass added to.
+    items.pack = [&](std::size_t t, std::string& bytes) {
+      forPixelsOf(t, [&](std::size_t i, int, int) {
+        for (std::size_t half = 0; half < PixelSamples::halves; ++half) {
+          core::put(bytes, wanted_[i][half]);
+          const bool isNew = before_[i][half] != wanted_[i][half];
+          core::put(bytes, static_cast<std::uint8_t>(isNew));
+          for (std::size_t r = 0; isNew && r < PixelSamples::perHalf; ++r)
+            putReplicate(i, half * PixelSamples::perHalf + r, bytes);
+        }
+      });
+    };
+    items.unpack = [&](std::size_t t, std::string_view bytes) { return takeTile(t, bytes); };
+    items.told = [&](double share) {
+      const double done = (taken + share * (planned - taken)) / planned;
+      tell(progress, shareOfFirst + (mostForeseen - shareOfFirst) * done);
+    };
+    if (keeping_.log != nullptr) before_ = samplesNow();
+    return forAllTiles(items, fmt::format("pass {}", passes_), progress);
   }
 
   /// How many times the first samples each half of each pixel needs, from the first samples of the other half and of
@@ -125,17 +170,20 @@ class PixelLoop {
   void findMissed(core::ProgressSink& progress) {
     if (solver_.isUnbiased()) return;
     std::array<double, replicates> missed{};
-    core::parallelFor(replicates, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = begin; r < end && !progress.cancelled(); ++r) {
-        const std::uint64_t key = core::combine(core::combine(key_, missedKey), r);
-        for (std::uint32_t s = 0; s < missedPaths; ++s) {
-          const core::Vec2 place = core::Sampler(core::combine(key, missedKey), s).next2();
-          const scene::ViewRay ray = scene::rayThrough(view_, place.x * view_.width, place.y * view_.height);
-          if (!ray.inside) continue;
-          missed[r] += solver_.missedLuminance(ray.origin - worldOrigin_, ray.direction, key, s) / missedPaths;
-        }
+    core::WorkItems items;
+    items.count = replicates;
+    items.work = [&](std::size_t r) {
+      const std::uint64_t key = core::combine(core::combine(key_, missedKey), r);
+      for (std::uint32_t s = 0; s < missedPaths; ++s) {
+        const core::Vec2 place = core::Sampler(core::combine(key, missedKey), s).next2();
+        const scene::ViewRay ray = scene::rayThrough(view_, place.x * view_.width, place.y * view_.height);
+        if (!ray.inside) continue;
+        missed[r] += solver_.missedLuminance(ray.origin - worldOrigin_, ray.direction, key, s) / missedPaths;
       }
-    });
+    };
+    items.pack = [&](std::size_t r, std::string& bytes) { core::put(bytes, missed[r]); };
+    items.unpack = [&](std::size_t r, std::string_view bytes) { return core::take(bytes, missed[r]); };
+    if (!core::doItems(items, keeping_.part("missed"), progress).complete) return;
     const core::ReplicateMean mean = core::replicateMean(missed);
     const double luminance = meanLuminance();
     const double quantile = core::studentQuantile(replicates - 1, accuracy_.confidence);
@@ -189,15 +237,65 @@ class PixelLoop {
         if (u != x || v != y) use(index(u, v));
   }
 
-  void forAllPixels(core::ProgressSink& progress, const std::function<void(std::size_t, int, int)>& work) {
-    const int across = (view_.width + tile - 1) / tile, down = (view_.height + tile - 1) / tile;
-    core::parallelFor(static_cast<std::size_t>(across * down), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end && !progress.cancelled(); ++t) {
-        const int x0 = static_cast<int>(t) % across * tile, y0 = static_cast<int>(t) / across * tile;
-        for (int y = y0; y < std::min(y0 + tile, view_.height); ++y)
-          for (int x = x0; x < std::min(x0 + tile, view_.width); ++x) work(index(x, y), x, y);
-      }
-    });
+  [[nodiscard]] int tilesAcross() const { return (view_.width + tile - 1) / tile; }
+  [[nodiscard]] int tilesDown() const { return (view_.height + tile - 1) / tile; }
+  template <class Work>
+  void forPixelsOf(std::size_t t, const Work& work) const {
+    const int x0 = static_cast<int>(t) % tilesAcross() * tile, y0 = static_cast<int>(t) / tilesAcross() * tile;
+    for (int y = y0; y < std::min(y0 + tile, view_.height); ++y)
+      for (int x = x0; x < std::min(x0 + tile, view_.width); ++x) work(index(x, y), x, y);
+  }
+  bool forAllTiles(core::WorkItems& items, const std::string& part, const core::ProgressSink& progress) {
+    items.count = static_cast<std::size_t>(tilesAcross() * tilesDown());
+    return core::doItems(items, keeping_.part(part), progress).complete;
+  }
+
+  void tell(core::ProgressSink& progress, double share) {
+    told_ = std::max(told_, share);  // a pass may ask for a further one
+    progress.progress(view_.name, told_, reached_);
+  }
+  void putReplicate(std::size_t i, std::size_t r, std::string& bytes) const {
+    core::put(bytes, seen_.sum(i, r));
+    if (accuracy_.parts) core::put(bytes, direct_.sum(i, r));
+  }
+  bool takeReplicate(std::size_t i, std::size_t r, std::string_view& bytes) {
+    PixelSamples::Sum seen{}, direct{};
+    if (!core::take(bytes, seen) || (accuracy_.parts && !core::take(bytes, direct))) return false;
+    seen_.setSum(i, r, seen);
+    if (accuracy_.parts) direct_.setSum(i, r, direct);
+    return true;
+  }
+  /// A tile as a pass left it; false, and nothing is changed, when that pass wanted other samples.
+  bool takeTile(std::size_t t, std::string_view bytes) {
+    const auto read = [&](std::string_view rest, bool set) {
+      bool fits = true;
+      forPixelsOf(t, [&](std::size_t i, int, int) {
+        for (std::size_t half = 0; fits && half < PixelSamples::halves; ++half) {
+          std::uint32_t samples = 0;
+          std::uint8_t isNew = 0;
+          fits = core::take(rest, samples) && core::take(rest, isNew) && samples == wanted_[i][half] &&
+                 (isNew != 0) == (before_[i][half] != samples);
+          for (std::size_t r = 0; fits && isNew != 0 && r < PixelSamples::perHalf; ++r) {
+            if (set)
+              fits = takeReplicate(i, half * PixelSamples::perHalf + r, rest);
+            else
+              rest.remove_prefix(std::min(rest.size(), sizeof(PixelSamples::Sum) * (accuracy_.parts ? 2 : 1)));
+          }
+          if (fits && set) setSamples(i, half, samples);
+        }
+      });
+      return fits && rest.empty();
+    };
+    return read(bytes, false) && read(bytes, true);
+  }
+  void setSamples(std::size_t i, std::size_t half, std::uint32_t samples) {
+    seen_.setSamples(i, half, samples);
+    if (accuracy_.parts) direct_.setSamples(i, half, samples);
+  }
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> samplesNow() const {
+    std::vector<std::array<std::uint32_t, 2>> now(count_);
+    for (std::size_t i = 0; i < count_; ++i) now[i] = {seen_.samples(i, 0), seen_.samples(i, 1)};
+    return now;
   }
 
   void sampleReplicate(std::size_t i, int x, int y, std::size_t r, std::uint32_t from, std::uint32_t to) {
@@ -285,12 +383,17 @@ class PixelLoop {
   core::Vec3 worldOrigin_;
   std::uint64_t key_;
   PixelAccuracy accuracy_;
+  core::Keeping keeping_;
   FilterPlaces filter_;
   std::uint32_t fewest_, most_;  // samples per replicate
   std::size_t count_;
   PixelSamples seen_, direct_;                        // direct_: empty unless asked for
   std::vector<std::array<std::uint32_t, 2>> wanted_;  // samples per replicate of each half
+  std::vector<std::array<std::uint32_t, 2>> before_;  // the same before the present pass; only where work is kept
   std::vector<std::array<Need, 2>> needs_;
+  int passes_ = 0;
+  double told_ = 0;
+  std::string reached_ = "first samples";
   std::uint32_t passed_ = fewest_;  // no pixel has more
   double missed_ = 0;               // relative
 };
@@ -299,16 +402,20 @@ class PixelLoop {
 
 ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin,
                          std::uint64_t key, const PixelAccuracy& accuracy, double secondsLeft,
-                         core::ProgressSink& progress, const ImageObserver& partial) {
+                         core::ProgressSink& progress, const ImageObserver& partial, const core::Keeping& keeping) {
   const double start = core::wallSeconds();
   const auto elapsed = [&] { return core::wallSeconds() - start; };
 
-  PixelLoop loop(solver, view, worldOrigin, key, accuracy);
-  progress.progress(view.name, 0, "first samples");
+  PixelLoop loop(solver, view, worldOrigin, key, accuracy, keeping);
+  loop.tellReached(progress, "first samples");
   loop.firstPass([&] { return elapsed() < secondsLeft; }, partial, progress);
   bool more = loop.firstPassIsComplete();
-  if (more) loop.findMissed(progress);
-  if (more) loop.foretell();
+  if (more) {
+    loop.tellReached(progress, "what the light solution misses");
+    loop.findMissed(progress);
+    loop.tellReached(progress, "first samples");
+    loop.foretell();
+  }
   double part = 0;  // contrast comes first; it may be enough
   while (more && elapsed() < secondsLeft) {
     if (loop.refine(part)) {
@@ -317,8 +424,7 @@ ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, 
       continue;
     }
     const double share = loop.shareWithin();
-    progress.progress(view.name, std::min(0.95, share),
-                      fmt::format("pixels within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * share));
+    loop.tellReached(progress, fmt::format("pixels within {:g} %: {:.0f} %", 100 * accuracy.relative, 100 * share));
     if (share >= shareAsked || part > mostShare) break;
     part = std::max(firstShare, part * shareStep);
   }

@@ -13,6 +13,7 @@
 #include <functional>
 #include <string>
 
+#include "core/kept_work.h"
 #include "core/progress.h"
 #include "image/xyz_image.h"
 #include "scene/view.h"
@@ -47,8 +48,10 @@ struct ImageEstimate {
 using ImageObserver = std::function<void(const ImageEstimate&)>;
 
 /// Renders the view. `worldOrigin`: scene::World::origin. `secondsLeft`: wall clock, checked between passes.
+/// Finished work goes to `keeping`, and what is there is not done anew.
 ImageEstimate renderView(const solver::Solver& solver, const scene::View& view, const core::Vec3& worldOrigin,
                          std::uint64_t key, const PixelAccuracy& accuracy, double secondsLeft,
-                         core::ProgressSink& progress, const ImageObserver& partial = {});
+                         core::ProgressSink& progress, const ImageObserver& partial = {},
+                         const core::Keeping& keeping = {});
 
 }  // namespace goniolux::viewing

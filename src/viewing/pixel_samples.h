@@ -26,6 +26,11 @@ class PixelSamples {
   [[nodiscard]] static std::size_t halfOf(std::size_t replicate) { return replicate / perHalf; }
   [[nodiscard]] std::size_t pixels() const { return sums_.size(); }
 
+  /// X, Y, Z summed over the samples of a replicate.
+  using Sum = std::array<float, 3>;
+  [[nodiscard]] const Sum& sum(std::size_t pixel, std::size_t replicate) const { return sums_[pixel][replicate]; }
+  void setSum(std::size_t pixel, std::size_t replicate, const Sum& sum) { sums_[pixel][replicate] = sum; }
+
   void add(std::size_t pixel, std::size_t replicate, const solver::Response& seen, double factor);
   /// Samples of each replicate of a half.
   [[nodiscard]] std::uint32_t samples(std::size_t pixel, std::size_t half) const { return done_[pixel][half]; }
@@ -56,8 +61,8 @@ class PixelSamples {
     return static_cast<double>(sums_[pixel][r][channel]) / done_[pixel][halfOf(r)];
   }
 
-  std::vector<std::array<std::array<float, 3>, replicates>> sums_;  // over the samples of each replicate
-  std::vector<std::array<std::uint32_t, halves>> done_;             // samples per replicate
+  std::vector<std::array<Sum, replicates>> sums_;
+  std::vector<std::array<std::uint32_t, halves>> done_;  // samples per replicate
   double confidence_;
   double quantile_ = 0;  // Student's, for the replicates that are complete
   std::size_t complete_ = 0;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "analysis/grid_estimate.h"
 #include "core/random.h"
@@ -54,6 +55,28 @@ TEST(Summarise, IntervalsOfMeanMinimumAndUniformityHold) {
   EXPECT_GE(minimum / 2000.0, 0.935);
   EXPECT_GE(maximum / 2000.0, 0.935);
   EXPECT_GE(u0 / 2000.0, 0.935);
+}
+
+TEST(Summarise, AQuantileLiesBetweenItsNeighboursInProportion) {
+  EXPECT_DOUBLE_EQ(quantileOf({4, 1, 3, 2, 5}, 0), 1);
+  EXPECT_DOUBLE_EQ(quantileOf({4, 1, 3, 2, 5}, 0.5), 3);
+  EXPECT_DOUBLE_EQ(quantileOf({4, 1, 3, 2, 5}, 0.9), 4.6);
+  EXPECT_DOUBLE_EQ(quantileOf({4, 1, 3, 2, 5}, 1), 5);
+  EXPECT_DOUBLE_EQ(quantileOf({7}, 0.3), 7);
+}
+
+TEST(Summarise, IntervalsOfPercentilesHold) {
+  std::vector<double> truth;
+  for (int i = 0; i < 40; ++i) truth.push_back(i < 5 ? 90.0 : 90.0 + 0.5 * i);
+  std::map<int, int> inside;
+  constexpr int trials = 1000;
+  for (std::uint64_t trial = 0; trial < trials; ++trial) {
+    const GridEstimate e = noisyGrid(trial, 0.03);
+    for (const auto& [percent, estimate] : e.percentiles)
+      inside[percent] += std::abs(estimate.value - quantileOf(truth, 0.01 * percent)) <= estimate.halfWidth();
+  }
+  ASSERT_EQ(inside.size(), statedPercentiles.size());
+  for (const auto& [percent, count] : inside) EXPECT_GE(count / 1000.0, 0.93) << percent << " %";
 }
 
 TEST(Summarise, ExactValuesHaveNoWidth) {
