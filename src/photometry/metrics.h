@@ -25,10 +25,9 @@ IntensityPeak intensityPeak(const TabulatedDistribution& distribution);
 enum class PrincipalPlane { c0_180, c90_270 };
 
 /// Full width, within a plane, of the directions that reach the given fraction of the largest intensity in that plane:
-/// from the first to the last such direction of the hemisphere of that maximum, the lower one where both have it (so a batwing's wings
-/// belong together),
-/// and on past the horizontal as far as they are reached without a gap. 0.5 gives the beam angle, 0.1 the field angle.
-/// Empty when the plane is dark.
+/// from the first to the last such direction of the hemisphere of that maximum, the lower one where both have it (so a
+/// batwing's wings belong together), and on past the horizontal as far as they are reached without a gap. 0.5 gives the
+/// beam angle, 0.1 the field angle. Empty when the plane is dark.
 std::optional<double> fullWidth(const TabulatedDistribution& distribution, PrincipalPlane plane, double fraction);
 
 /// CIE flux code (CIE 52, EN 13032-2), in percent: cone fluxes within solid angles of pi/2, pi and 3 pi/2 sr over that

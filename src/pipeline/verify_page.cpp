@@ -26,7 +26,7 @@ td { border-bottom: 1px solid #eceff1; padding: .35em .6em .35em 0; vertical-ali
 .tag { display: inline-block; min-width: 6.5em; text-align: center; border-radius: 3px; font-size: .85em; color: #fff; }
 .pass { background: #2e7d4f; } .fail { background: #b3372c; } .error { background: #7a3f9d; } .no-baseline, .not-run { background: #8a949c; }
 .n { text-align: right; white-space: nowrap; } .quiet { color: #5a6670; font-size: .9em; } h3 { font-weight: 600; font-size: 1em; margin: 1.2em 0 0; break-after: avoid; }
-.side { display: flex; break-inside: avoid; } figure { flex: 1 1 0; min-width: 0; margin: .6em 1.4em .6em 0; } figure:last-child { margin-right: 0; }
+.side { display: flex; break-inside: avoid; margin-right: -1.4em; } figure { flex: 1 1 0; min-width: 0; margin: .6em 1.4em .6em 0; }
 figure svg { width: 100%; height: auto; display: block; } figure svg.scale { height: .7em; margin-top: .6em; } figcaption { color: #5a6670; font-size: .9em; margin-bottom: .4em; }
 .ends { display: flex; justify-content: space-between; font-size: .85em; font-variant-numeric: tabular-nums; } pre { white-space: pre-wrap; background: #f6f7f8; padding: .8em; }
 @media print { body { font-size: 10pt; margin: 0; } }
