@@ -36,7 +36,7 @@ constexpr const char* office = R"({
              { "name": "faces", "points": [[1,1,1.2],[3,1,1.2]], "normal": [1,0,0], "quantity": "cylindrical" } ],
   "observers": [ { "name": "seat", "eye": [3.8,1.5,1.2], "direction": [-1,0,0], "quantity": "ugr" } ],
   "views": [ { "name": "door", "eye": [0.3,0.3,1.6], "target": [3,2.5,1], "up": [0,0,1], "fov": 70, "width": 40, "height": 30 } ],
-  "settings": { "accuracy": { "grid": "1 %", "u0": "2 %", "image": "8 %" }, "pixel": { "max_samples": 128 } }
+  "settings": { "accuracy": { "grid": "2 %", "u0": "4 %", "image": "10 %" }, "pixel": { "max_samples": 128 } }
 })";
 
 constexpr int refused = 2, broken = 3;
@@ -98,7 +98,7 @@ class Resume : public testing::Test {
     int kills = 0, last = -1;
     for (int attempt = 0; attempt < 25 && last == -1; ++attempt) {
       last =
-          ran(stage, "killed", attempt > 0, 1 + attempt % 3, std::uniform_int_distribution<int>(30, longest)(random));
+          ran(stage, "killed", attempt > 0, 1 + attempt % 3, std::uniform_int_distribution<int>(20, longest)(random));
       kills += last == -1 ? 1 : 0;
       ASSERT_NE(last, broken) << message();
       ASSERT_NE(last, refused) << message();
@@ -106,7 +106,7 @@ class Resume : public testing::Test {
     if (last == -1) {
       ASSERT_EQ(ran(stage, "killed", true, 2), 0) << message();
     }
-    EXPECT_GT(kills, 1) << "the runs were too short to be killed";
+    EXPECT_GT(kills, 0) << "the runs were too short to be killed";
     const auto expected = results("whole"), found = results("killed");
     for (const auto& [name, content] : expected) {
       ASSERT_TRUE(found.contains(name)) << name;
@@ -120,20 +120,20 @@ class Resume : public testing::Test {
 };
 
 TEST_F(Resume, GridsAndObserversAreTheSameAfterKills) {
-  expectSameAfterKills(illuminateStage, 1, 500);
+  expectSameAfterKills(illuminateStage, 1, 150);
 }
 
 TEST_F(Resume, PicturesAreTheSameAfterKills) {
-  expectSameAfterKills(renderStage, 2, 500);
+  expectSameAfterKills(renderStage, 2, 150);
 }
 
 TEST_F(Resume, ScenesAreTheSameAfterKills) {
-  expectSameAfterKills(scenesStage, 3, 700);
+  expectSameAfterKills(scenesStage, 3, 150);
 }
 
 TEST_F(Resume, ARunWithOtherInputsOrSettingsIsRefusedAndToldWhichChanged) {
   folder_.write("p/project.json", office);
-  for (int wait = 200; !fs::exists(folder_.path() / "out/checkpoint/finished.work") && wait < 20000; wait *= 2)
+  for (int wait = 50; !fs::exists(folder_.path() / "out/checkpoint/finished.work") && wait < 8000; wait += wait / 2)
     ran(illuminateStage, "out", false, 1, wait);
   ASSERT_TRUE(fs::exists(folder_.path() / "out/checkpoint/finished.work"));
   EXPECT_EQ(ran(illuminateStage, "out", true, 1, -1, "7"), refused);
