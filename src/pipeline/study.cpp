@@ -128,15 +128,18 @@ StageReport study(const StageRequest& request, core::ProgressSink& progress) {
   const bool several = suite || paths.size() > 1;
   StudyTime time;
   time.time_s = request.common.timeLimit_s.value_or(suite ? suiteTime_s : time.time_s);
-  if (suite) time.time_s /= static_cast<double>(paths.size());
+  const double whole = time.time_s;  // of a suite
   time.reference_s = referenceSeconds(request);
   StageReport report;
   std::vector<ProjectStudy> studies;
+  double spent = 0;
   core::Value all = core::Value::Array{};
   for (std::size_t i = 0; i < paths.size() && !progress.cancelled(); ++i) {
     const std::string& path = paths[i];
     StageRequest one = request;
     one.inputs = {path};
+    // What a quick project leaves is for those after it.
+    if (suite) time.time_s = std::max(0.0, whole - spent) / static_cast<double>(paths.size() - i);
     time.from = static_cast<double>(i) / static_cast<double>(paths.size());
     time.to = static_cast<double>(i + 1) / static_cast<double>(paths.size());
     try {
@@ -147,6 +150,7 @@ StageReport study(const StageRequest& request, core::ProgressSink& progress) {
                   : request.common.output.value_or((fs::path(project.folder) / "study").string());
       studies.push_back(makeStudy(project, request.common.scene.value_or(""), folder, time, progress, report.warnings));
       studies.back().path = path;
+      spent += studies.back().spent_s;
       writeStudy(studies.back(), folder, report);
       report.text += studyText(studies.back());
     } catch (const core::InputError& error) {
@@ -162,7 +166,7 @@ StageReport study(const StageRequest& request, core::ProgressSink& progress) {
   }
   if (several) {
     const std::string page = (fs::path(request.common.output.value_or("study")) / "README.md").string();
-    core::writeFile(page, studyPage(studies, time.time_s));
+    core::writeFile(page, studyPage(studies, suite ? whole / static_cast<double>(paths.size()) : whole));
     report.files.push_back(page);
     report.json.set("projects", std::move(all));
   } else {

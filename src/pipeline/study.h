@@ -33,7 +33,7 @@ struct StudySetting {
 
 /// One run against the reference. Errors are relative to the reference's value, or to a tenth of the grid's mean where
 /// the value is below that (as accuracy is asked), over all points of all grids; of a picture likewise, over the
-/// luminances of its pixels.
+/// luminances of its pixels, RMS over the 95 % that are nearest (as accuracy is asked of pictures).
 struct StudyRun {
   StudySetting setting;
   bool isAuto = false;  ///< the settings that the planner chose
@@ -120,6 +120,7 @@ struct ProjectStudy {
   std::string chosen, chosenForPicture;  ///< the solvers that the planner takes
   std::size_t leftOut = 0;               ///< finer runs that do not fit into the time
   std::optional<core::Value> cross;      ///< the two independent solvers on the grids: document of cross_check.h
+  double spent_s = 0;                    ///< of the time that was given
   std::string trouble;                   ///< of a project of several that cannot be studied
 };
 

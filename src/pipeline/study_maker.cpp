@@ -112,6 +112,7 @@ class StudyMaker {
       runOne(settings[i], chosen, i, settings.size());
     }
     readCross();
+    study_.spent_s = core::wallSeconds() - start_;
     return study_;
   }
 
@@ -210,6 +211,7 @@ class StudyMaker {
     last_[{setting.ofPicture, setting.line}] = run;
     core::Value line = toJson(run);
     line.set("of_project", key_);
+    line.set("project_hash", project_.hash);
     std::string text = core::toJson(line);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     lines_ += text + "\n";

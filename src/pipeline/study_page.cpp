@@ -109,8 +109,8 @@ std::string studyPage(const std::vector<ProjectStudy>& studies, double time_s) {
       "held "
       "against a long unbiased run by paths; below the noise of that reference (dotted) no run can be told from "
       "another. "
-      "Errors are RMS over all points of all grids, those of pictures over the pixels of the first view, 96 pixels "
-      "wide. "
+      "Errors are RMS over all points of all grids, those of pictures over 95 % of the pixels of the first view, 96 "
+      "pixels wide. "
       "`auto` marks the method that the program chooses by itself.\n\n",
       programVersion(), time_s, core::threadCount(), processorName(), memory_GiB());
   page +=

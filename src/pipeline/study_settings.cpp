@@ -17,16 +17,22 @@ constexpr double changesAfter = 0.02;    // the rung that they follow
 constexpr double changeAccuracy = 0.01;  // of grids: what few wavelengths and points spoil shows above it
 constexpr double treeAccuracy = 0.05;    // its error does not depend on it
 
+/// Has a size, and an intensity distribution that a point can have: uniform luminance over an opening has none, but for
+/// a ball's.
+bool canBeCut(const scene::Luminaire& luminaire) {
+  return emitter::largestExtent(luminaire.opening) > 0 &&
+         (luminaire.distribution || luminaire.opening.shape == emitter::Opening::Shape::sphere);
+}
+
 bool hasOpenings(const project::Project& project) {
-  return std::any_of(project.environment.luminaires.begin(), project.environment.luminaires.end(),
-                     [](const scene::Luminaire& l) { return emitter::largestExtent(l.opening) > 0; });
+  return std::any_of(project.environment.luminaires.begin(), project.environment.luminaires.end(), canBeCut);
 }
 
 /// The luminaire as n x n points of equal flux.
 void addPoints(const scene::Luminaire& luminaire, int n, std::vector<scene::Luminaire>& to) {
   scene::Luminaire point = luminaire;
-  if (!luminaire.distribution) {  // uniform luminance: a flat opening's is Lambert's, that of others is taken for it
-    point.distribution = std::make_shared<photometry::CosinePowerDistribution>(luminaire.flux_lm / core::pi, 1.0);
+  if (!luminaire.distribution) {  // a ball of uniform luminance
+    point.distribution = photometry::CosinePowerDistribution::isotropic(luminaire.flux_lm / (4 * core::pi));
     point.scale = 1;
   }
   point.opening = {};
@@ -83,7 +89,7 @@ project::Project changed(project::Project project, const std::string& change) {
   if (key == "luminaire.points") {
     std::vector<scene::Luminaire> points;
     for (const scene::Luminaire& luminaire : project.environment.luminaires) {
-      if (emitter::largestExtent(luminaire.opening) > 0)
+      if (canBeCut(luminaire))
         addPoints(luminaire, static_cast<int>(value), points);
       else
         points.push_back(luminaire);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "pipeline/report_input.h"
 #include "pipeline/stage.h"
 #include "support/temporary_folder.h"
 
@@ -101,6 +102,7 @@ TEST(Study, ChangesOneThing) {
   project::Project project;
   scene::Luminaire panel;
   panel.flux_lm = 1000;
+  panel.distribution = std::make_shared<photometry::CosinePowerDistribution>(1000 / core::pi, 1.0);
   panel.center = {1, 2, 3};
   panel.opening.shape = emitter::Opening::Shape::rectangle;
   panel.opening.length = 1.2;
@@ -249,6 +251,20 @@ TEST_F(StudyStage, ChartsThePixelsOfTheFirstView) {
   const auto made = std::filesystem::last_write_time(out + "/reference.exr");
   study({(folder_.path() / "view").string()}, out);
   EXPECT_EQ(std::filesystem::last_write_time(out + "/reference.exr"), made);
+}
+
+// A chart of the project as it was before a change would mislead.
+TEST_F(StudyStage, TheReportTakesTheChartOfTheProjectAsItIs) {
+  write("room", grid);
+  const std::string folder = (folder_.path() / "room").string();
+  EXPECT_FALSE(speedChartOf(project::readProject(folder)));
+  study({folder}, folder + "/study");
+  std::ofstream(folder + "/study/work-precision.svg") << "<svg/>";  // where drawing is not possible
+  const auto chart = speedChartOf(project::readProject(folder));
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->bytes, "<svg/>");
+  write("room", std::string(grid) + R"(, "units": "mm")");
+  EXPECT_FALSE(speedChartOf(project::readProject(folder)));
 }
 
 TEST_F(StudyStage, SeveralProjectsMakeAPageAndABrokenOneFailsAlone) {

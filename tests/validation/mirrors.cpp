@@ -140,7 +140,7 @@ Section mirrorSection() {
          return underWater(0, "0.5 %", {0, 20, 40, 60});
        }},
       {"4.8s", "Ball lamp over water", "lx", "the same; the lamp is a sphere of 0.2 m",
-       "the same, of a point lamp (0.5 %)", "", 2.5e-2, 0, true,
+       "the same, of a point lamp (0.5 %)", "", 2.5e-2, 0, false,
        [] {
          return underWater(0.2, "2 %", {0, 20, 40});
        }},
