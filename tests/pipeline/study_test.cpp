@@ -173,7 +173,9 @@ TEST_F(StudyStage, ChartsEverySolverAndGoesOnWhereItWasStopped) {
       EXPECT_GT(run.find("inside")->number(), 0.8) << core::toJson(run);
     }
   }
-  EXPECT_TRUE(path && gather && tree && chosen);
+  // On a slow machine the time ends before all have run, which is said; what `auto` does is always there.
+  EXPECT_TRUE((path && gather && tree) || first.text.find("left out") != std::string::npos) << first.text;
+  EXPECT_TRUE(chosen);
   EXPECT_TRUE(std::filesystem::exists(out + "/study.csv"));
   EXPECT_TRUE(std::filesystem::exists(out + "/work-precision.figure.json"));
   EXPECT_TRUE(first.json.find("cross")->find("agree")->boolean()) << core::toJson(*first.json.find("cross"));
