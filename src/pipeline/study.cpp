@@ -203,8 +203,8 @@ Stage studyStage() {
   core::Parameter of =
       textOption("of", "a single choice", "", "draws what one choice costs or spoils: see above", false);
   core::Parameter reference =
-      textOption("reference", "time of the references", "SECONDS",
-                 "of a project's references, which then do not count in the time limit; kept for the next time", false);
+      textOption("reference", "time of the references", "",
+                 "seconds for a project's references, which then do not count in the time limit", false);
   core::Parameter whole =
       textOption("suite", "all projects in one time", "",
                  "--time-limit (1080 s if not given) is for all projects together; makes the page", false);
