@@ -20,28 +20,34 @@ core::Vec2 concentric(const core::Vec2& p) {
 
 }  // namespace
 
-std::optional<double> cutError(const Opening& opening, const Output& output, double distance, int n) {
-  const Vec3 origin(0), point = output.frame.aim * distance, facing = -output.frame.aim;
-  const double exact = makeEmitter(opening, origin, output)->illuminance(point, facing, 1e-5).value;
-  if (!(exact > 0)) return std::nullopt;
-  const OpeningAxes axes = axesOf(opening, output.frame);
+std::vector<Vec3> cutPlaces(const Opening& opening, const photometry::LuminaireFrame& frame, int n) {
+  const OpeningAxes axes = axesOf(opening, frame);
   const bool flatLike = opening.shape != Opening::Shape::line && opening.shape != Opening::Shape::tube;
   const Vec3 along = flatLike ? axes.x : opening.axis, across = flatLike ? axes.y : Vec3(0);
   const Vec3 diameters = diametersOf(opening);
   const bool round = opening.shape == Opening::Shape::disc || opening.shape == Opening::Shape::cylinder ||
                      opening.shape == Opening::Shape::sphere;
-  Output part = output;
-  part.scale /= n * n;
-  part.flux_lm /= n * n;
-  double sum = 0;
+  std::vector<Vec3> places;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const core::Vec2 place((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5);
       const core::Vec2 onDisc = concentric(2.0 * place);
-      const Vec3 at = round ? along * (0.5 * diameters.x * onDisc.x) + across * (0.5 * diameters.y * onDisc.y)
-                            : along * (opening.length * place.x) + across * (opening.width * place.y);
-      sum += makeEmitter({}, at, part)->illuminance(point, facing, 1e-5).value;
+      places.push_back(round ? along * (0.5 * diameters.x * onDisc.x) + across * (0.5 * diameters.y * onDisc.y)
+                             : along * (opening.length * place.x) + across * (opening.width * place.y));
     }
+  return places;
+}
+
+std::optional<double> cutError(const Opening& opening, const Output& output, double distance, int n) {
+  const Vec3 origin(0), point = output.frame.aim * distance, facing = -output.frame.aim;
+  const double exact = makeEmitter(opening, origin, output)->illuminance(point, facing, 1e-5).value;
+  if (!(exact > 0)) return std::nullopt;
+  Output part = output;
+  part.scale /= n * n;
+  part.flux_lm /= n * n;
+  double sum = 0;
+  for (const Vec3& at : cutPlaces(opening, output.frame, n))
+    sum += makeEmitter({}, at, part)->illuminance(point, facing, 1e-5).value;
   return sum / exact - 1;
 }
 

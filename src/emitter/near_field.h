@@ -2,15 +2,19 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "emitter/emitter.h"
 
 namespace goniolux::emitter {
 
+/// The places of n x n points of equal flux over the opening's length and width, or over its disc, relative to its
+/// centre, in the world. n = 1: the centre.
+std::vector<core::Vec3> cutPlaces(const Opening& opening, const photometry::LuminaireFrame& frame, int n);
+
 /// Relative error of the illuminance at `distance` along the aim from the opening's centre, on a plane facing it, when
-/// the opening is replaced by n x n points of equal flux over its length and width, or over its disc (n = 1: the point
-/// at the centre). Nothing where the opening sends no light that way. The reference is the opening's closed form or
-/// quadrature.
+/// the opening is replaced by the points of cutPlaces(). Nothing where the opening sends no light that way. The
+/// reference is the opening's closed form or quadrature.
 std::optional<double> cutError(const Opening& opening, const Output& output, double distance, int n);
 
 /// The largest extent of an opening, m; 0 for a point.

@@ -87,9 +87,12 @@ std::vector<report::Contribution> contributionsOf(const project::Results& result
 }
 
 std::optional<report::Picture> speedChartOf(const project::Project& project) {
-  const fs::path file = fs::path(project.folder) / "study/work-precision.svg";
+  const fs::path folder = fs::path(project.folder) / "study", file = folder / "work-precision.svg",
+                 runs = folder / "study.jsonl";
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  if (!fs::is_regular_file(file, ignored) || !fs::is_regular_file(runs, ignored)) return std::nullopt;
+  // A chart of the project as it was before it was changed would mislead.
+  if (core::readFile(runs.string()).find(project.hash) == std::string::npos) return std::nullopt;
   return report::Picture{"work-precision", "image/svg+xml", core::readFile(file.string())};
 }
 

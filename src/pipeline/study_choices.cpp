@@ -17,6 +17,22 @@ const ChoiceStudy* findChoiceStudy(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+scene::View smallFirstView(const project::Project& project, int width) {
+  scene::View view = project.views.front();
+  view.height = std::max(1, view.height * width / view.width);
+  view.width = width;
+  return view;
+}
+
+spectrum::Xyz lightestOf(const image::XyzImage& image) {
+  std::vector<std::size_t> order(image.y.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto at = order.begin() + static_cast<std::ptrdiff_t>(order.size() * 98 / 100);
+  std::nth_element(order.begin(), at, order.end(),
+                   [&](std::size_t a, std::size_t b) { return image.y[a] < image.y[b]; });
+  return {static_cast<double>(image.x[*at]), static_cast<double>(image.y[*at]), static_cast<double>(image.z[*at])};
+}
+
 void addPoint(plot::LineChart& chart, const std::string& curve, double x, double y) {
   auto line = std::find_if(chart.curves.begin(), chart.curves.end(),
                            [&](const plot::ChartCurve& each) { return each.name == curve; });

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "image/xyz_image.h"
 #include "plot/line_chart.h"
 #include "project/project.h"
+#include "spectrum/colorimetry.h"
 
 namespace goniolux::pipeline {
 
@@ -38,6 +40,11 @@ ChoiceStudy reflectionModelStudy();
 ChoiceStudy schemeStudy();
 ChoiceStudy gridSpacingStudy();
 ChoiceStudy webResolutionStudy();
+
+/// The project's first view, `width` pixels wide. The project must have one.
+scene::View smallFirstView(const project::Project& project, int width);
+/// White of CIELAB for a picture: the luminance that 2 % of its pixels exceed, in that pixel's colour.
+spectrum::Xyz lightestOf(const image::XyzImage& image);
 
 /// Adds a point to the chart's curve of that name, which is made where it is missing.
 void addPoint(plot::LineChart& chart, const std::string& curve, double x, double y);

@@ -46,16 +46,6 @@ Picture rendered(project::Project project, const scene::View& view, const char* 
   return picture;
 }
 
-/// White of CIELAB: the lightest of the control's pixels.
-spectrum::Xyz whiteOf(const image::XyzImage& image) {
-  std::vector<std::size_t> order(image.y.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto at = order.begin() + static_cast<std::ptrdiff_t>(order.size() * 98 / 100);
-  std::nth_element(order.begin(), at, order.end(),
-                   [&](std::size_t a, std::size_t b) { return image.y[a] < image.y[b]; });
-  return {static_cast<double>(image.x[*at]), static_cast<double>(image.y[*at]), static_cast<double>(image.z[*at])};
-}
-
 ChoiceResult run(const project::Project& project, core::ProgressSink& progress) {
   if (project.views.empty()) nothingToStudy(project, "the project has no view to show; add one to \"views\"");
   const scene::View& view = project.views.front();
@@ -73,7 +63,7 @@ ChoiceResult run(const project::Project& project, core::ProgressSink& progress) 
   progress.progress(project.name, 0, "every nanometre");
   core::SilentProgress silent;
   const Picture control = rendered(project, view, "control", 471, silent);
-  const spectrum::Xyz white = whiteOf(control.image);
+  const spectrum::Xyz white = lightestOf(control.image);
   if (!(white.Y > 0)) nothingToStudy(project, fmt::format("the view \"{}\" shows no light", view.name));
   const std::size_t middle = static_cast<std::size_t>(view.height / 2) * static_cast<std::size_t>(view.width);
   double done = 0;

@@ -28,10 +28,7 @@ struct TreeRun {
 
 scene::View smallView(const project::Project& project) {
   if (project.views.empty()) nothingToStudy(project, "trees belong to pictures, and the project has no view; add one");
-  scene::View view = project.views.front();
-  view.height = std::max(1, view.height * studyWidth / view.width);
-  view.width = studyWidth;
-  return view;
+  return smallFirstView(project, studyWidth);
 }
 
 /// One ray through the middle of every pixel of the rows [from, to).

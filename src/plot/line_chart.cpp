@@ -58,9 +58,33 @@ Value toJson(const LineChart& chart) {
     entry.set("text", note.text);
     entry.set("x", note.point.x);
     entry.set("y", note.point.y);
+    entry.set("ring", note.ring);
     notes.push_back(std::move(entry));
   }
   json.set("notes", std::move(notes));
+  if (!chart.levels.empty()) {
+    Value::Array levels;
+    for (const ChartLevel& level : chart.levels) {
+      Value entry;
+      entry.set("text", level.text);
+      entry.set("y", level.y);
+      entry.set("from", level.from);
+      levels.push_back(std::move(entry));
+    }
+    json.set("levels", std::move(levels));
+  }
+  if (!chart.front.empty()) {
+    std::vector<double> xs, ys;
+    for (const core::Vec2& point : chart.front) {
+      xs.push_back(point.x);
+      ys.push_back(point.y);
+    }
+    Value front;
+    front.set("name", chart.frontName);
+    front.set("x", Value::arrayOf(xs));
+    front.set("y", Value::arrayOf(ys));
+    json.set("front", std::move(front));
+  }
   return json;
 }
 
@@ -92,10 +116,32 @@ LineChart lineChartFromJson(const Value& document) {
   if (chart.curves.empty() || chart.curves.size() > 6) badFigure(curves, "there must be one to six curves");
   if (const Value* notes = document.find("notes")) {
     if (!notes->isArray()) badFigure(*notes, "notes must be a list");
-    for (const Value& note : notes->array())
+    for (const Value& note : notes->array()) {
+      const Value* ring = note.find("ring");
       chart.notes.push_back({figureText(note, "text"),
                              {figureMember(note, "x", Value::Kind::number).number(),
-                              figureMember(note, "y", Value::Kind::number).number()}});
+                              figureMember(note, "y", Value::Kind::number).number()},
+                             ring == nullptr || !ring->isBoolean() || ring->boolean()});
+    }
+  }
+  if (const Value* levels = document.find("levels")) {
+    if (!levels->isArray()) badFigure(*levels, "levels must be a list");
+    for (const Value& level : levels->array()) {
+      chart.levels.push_back({figureText(level, "text"), figureMember(level, "y", Value::Kind::number).number(),
+                              figureMember(level, "from", Value::Kind::number).number()});
+      if (chart.y.logarithmic && chart.levels.back().y <= 0)
+        badFigure(level, "a logarithmic axis needs values above 0");
+    }
+  }
+  if (const Value* front = document.find("front")) {
+    const std::vector<double> xs = figureNumbers(*front, "x"), ys = figureNumbers(*front, "y");
+    if (xs.size() != ys.size()) badFigure(*front, "there must be one y per x");
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      if ((chart.x.logarithmic && xs[i] <= 0) || (chart.y.logarithmic && ys[i] <= 0))
+        badFigure(*front, "a logarithmic axis needs values above 0");
+      chart.front.emplace_back(xs[i], ys[i]);
+    }
+    chart.frontName = figureText(*front, "name");
   }
   return chart;
 }

@@ -16,10 +16,17 @@ struct ChartCurve {
   bool marked = false;               ///< with a dot at every point: single measurements
 };
 
-/// A ring about a point, with words beside it.
+/// Words beside a point, with a ring about it or without.
 struct ChartNote {
   std::string text;
   core::Vec2 point{0};
+  bool ring = true;
+};
+
+/// A dotted line at a height, from x on (0: all across), with words on it: a limit, a plateau.
+struct ChartLevel {
+  std::string text;
+  double y = 0, from = 0;
 };
 
 struct ChartAxis {
@@ -34,6 +41,9 @@ struct LineChart {
   std::vector<ChartCurve> curves;  ///< one to six
   std::vector<ChartNote> notes{};
   std::vector<double> guides{};  ///< values of y that are drawn as grey lines: limits
+  std::vector<ChartLevel> levels{};
+  std::vector<core::Vec2> front{};  ///< a broad pale line behind the curves, ascending in x
+  std::string frontName{};          ///< in the legend
 };
 
 core::Value toJson(const LineChart& chart);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "pipeline/report_input.h"
 #include "pipeline/stage.h"
 #include "support/temporary_folder.h"
 
@@ -71,6 +72,59 @@ TEST(Study, RunsSurviveTheirFile) {
   EXPECT_FALSE(studyRunFromJson(cut));
 }
 
+TEST(Study, AFilesRunOfBeforePicturesIsMadeAnew) {
+  core::Value old = toJson(runOf(1, 0.1));
+  EXPECT_TRUE(studyRunFromJson(old));
+  old.set("of", core::Value());
+  EXPECT_FALSE(studyRunFromJson(old));
+}
+
+// No time helps a method whose intervals never hold; one that is right somewhere on its line has no plateau.
+TEST(Study, PlateausAreOfLinesThatAreNeverRight) {
+  std::vector<StudyRun> runs{runOf(1, 0.3), runOf(2, 0.2), runOf(3, 0.01)};
+  runs[0].setting.line = runs[1].setting.line = "tree";
+  runs[0].leftOut = runs[1].leftOut = "interreflection between matt surfaces (solver tree), but for the ambient term";
+  runs[2].inside = 0.95;
+  const auto found = plateaus(runs);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], &runs[1]);
+  const plot::LineChart chart = workPrecisionChart({"a room", "points of the grids", 0.001, 48}, runs);
+  ASSERT_EQ(chart.levels.size(), 2u);  // the noise, and the tree
+  EXPECT_NE(chart.levels[1].text.find("tree stays at 20 %: without interreflection between matt surfaces"),
+            std::string::npos)
+      << chart.levels[1].text;
+  EXPECT_EQ(chart.front.size(), 3u);
+  runs[0].inside = 0.9;
+  EXPECT_TRUE(plateaus(runs).empty());
+}
+
+TEST(Study, ChangesOneThing) {
+  project::Project project;
+  scene::Luminaire panel;
+  panel.flux_lm = 1000;
+  panel.distribution = std::make_shared<photometry::CosinePowerDistribution>(1000 / core::pi, 1.0);
+  panel.center = {1, 2, 3};
+  panel.opening.shape = emitter::Opening::Shape::rectangle;
+  panel.opening.length = 1.2;
+  panel.opening.width = 0.3;
+  project.environment.luminaires = {panel};
+  EXPECT_EQ(changed(project, "tree.max_depth=3").settings.treeMaxDepth, 3);
+  EXPECT_DOUBLE_EQ(changed(project, "tree.cutoff=0.1").settings.treeCutoff, 0.1);
+  EXPECT_EQ(changed(project, "pixel.max_samples=64").settings.pixelMaxSamples, 64);
+  const auto cut = changed(project, "luminaire.points=2").environment.luminaires;
+  ASSERT_EQ(cut.size(), 4u);
+  double flux = 0;
+  core::Vec3 middle(0);
+  for (const scene::Luminaire& point : cut) {
+    EXPECT_EQ(point.opening.shape, emitter::Opening::Shape::point);
+    EXPECT_NEAR(point.distribution->flux() * point.scale, 250, 1e-9);
+    flux += point.flux_lm;
+    middle += 0.25 * point.center;
+  }
+  EXPECT_NEAR(flux, 1000, 1e-9);
+  EXPECT_NEAR(glm::distance(middle, core::Vec3(1, 2, 3)), 0, 1e-12);
+}
+
 class StudyStage : public ::testing::Test {
  protected:
   void write(const std::string& name, const std::string& extra) {
@@ -119,9 +173,12 @@ TEST_F(StudyStage, ChartsEverySolverAndGoesOnWhereItWasStopped) {
       EXPECT_GT(run.find("inside")->number(), 0.8) << core::toJson(run);
     }
   }
-  EXPECT_TRUE(path && gather && tree && chosen);
+  // On a slow machine the time ends before all have run, which is said; what `auto` does is always there.
+  EXPECT_TRUE((path && gather && tree) || first.text.find("left out") != std::string::npos) << first.text;
+  EXPECT_TRUE(chosen);
   EXPECT_TRUE(std::filesystem::exists(out + "/study.csv"));
   EXPECT_TRUE(std::filesystem::exists(out + "/work-precision.figure.json"));
+  EXPECT_TRUE(first.json.find("cross")->find("agree")->boolean()) << core::toJson(*first.json.find("cross"));
   // A second call calculates nothing anew, not even after a line that was cut off.
   std::ofstream(out + "/study.jsonl", std::ios::app) << "{\"line\": \"pa";
   const StageReport second = study({project}, out);
@@ -167,6 +224,49 @@ TEST_F(StudyStage, OtherSettingsAreCalculatedAnew) {
   const std::string first = runsOf(nullptr);
   EXPECT_EQ(runsOf(nullptr), first);
   EXPECT_NE(runsOf("seed=77"), first);
+}
+
+// A project of pictures alone has its chart, and colours are told beside luminances.
+TEST_F(StudyStage, ChartsThePixelsOfTheFirstView) {
+  write("view",
+        R"(, "views": [ { "name": "door", "eye": [0.1,1.5,1.6], "target": [4,1.5,1], "width": 24, "height": 16 } ])");
+  const std::string out = (folder_.path() / "out").string();
+  const StageReport report = study({(folder_.path() / "view").string()}, out);
+  bool path = false, gather = false, depth = false;
+  for (const core::Value& run : report.json.find("runs")->array()) {
+    EXPECT_EQ(run.find("of")->string(), "picture");
+    ASSERT_NE(run.find("delta_e00_mean"), nullptr);
+    const std::string& line = run.find("line")->string();
+    path |= line == "path", gather |= line == "gather";
+    if (line == "tree, depth") {
+      depth = true;
+      EXPECT_LT(run.find("mean")->number(), -0.05);  // no interreflection
+    } else if (line == "path") {
+      EXPECT_GT(run.find("inside")->number(), 0.8) << core::toJson(run);
+    }
+  }
+  // On a slow machine the time ends before all have run, which is said.
+  EXPECT_TRUE((path && gather && depth) || report.text.find("left out") != std::string::npos) << report.text;
+  EXPECT_TRUE(path || gather);
+  EXPECT_TRUE(std::filesystem::exists(out + "/picture-precision.figure.json"));
+  // The reference is kept, and not counted when it has a time of its own.
+  const auto made = std::filesystem::last_write_time(out + "/reference.exr");
+  study({(folder_.path() / "view").string()}, out);
+  EXPECT_EQ(std::filesystem::last_write_time(out + "/reference.exr"), made);
+}
+
+// A chart of the project as it was before a change would mislead.
+TEST_F(StudyStage, TheReportTakesTheChartOfTheProjectAsItIs) {
+  write("room", grid);
+  const std::string folder = (folder_.path() / "room").string();
+  EXPECT_FALSE(speedChartOf(project::readProject(folder)));
+  study({folder}, folder + "/study");
+  std::ofstream(folder + "/study/work-precision.svg") << "<svg/>";  // where drawing is not possible
+  const auto chart = speedChartOf(project::readProject(folder));
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->bytes, "<svg/>");
+  write("room", std::string(grid) + R"(, "units": "mm")");
+  EXPECT_FALSE(speedChartOf(project::readProject(folder)));
 }
 
 TEST_F(StudyStage, SeveralProjectsMakeAPageAndABrokenOneFailsAlone) {

@@ -93,6 +93,52 @@ std::vector<Number> zonalCavity() {
            utilisationFactor(0, 1000, 1000, 0.520512, cavity, {0.646863, 0.5, 0.186589}), 0}};
 }
 
+/// What a cavity of proportion 1.6 : 1 sends back through its opening, by three-surface exchange. `ratio`: the cavity
+/// ratio, 5 h (L + W) / (L W).
+double effectiveReflectance(double base, double walls, const Cavity& cavity) {
+  const double f = floorToCeiling(cavity), wallArea = 2 * (1 / cavity.length + 1 / cavity.width);
+  return exchange({f, 1 - f, 0}, f, wallArea, {base, walls, 0}).floor;
+}
+Cavity cavityOf(double ratio) {
+  const double width = 2.6 / 1.6 * 5 / ratio;
+  return {1.6 * width, width};
+}
+
+std::vector<Number> cavities(bool asPrinted) {
+  const struct {
+    double base, walls, ratio, exact, printed;  // %
+  } rows[] = {{.8, .5, .2, 76.9343, 77}, {.8, .5, 1, 66.1426, 67}, {.8, .5, 2, 55.3037, 56}, {.8, .5, 3, 46.7812, 47},
+              {.7, .5, 1, 58.1529, 58},  {.5, .5, 2, 36.4703, 37}, {.3, .1, 1, 21.6869, 22}, {.1, .5, 1, 11.5713, 12},
+              {.9, .9, 1, 86.6037, 86},  {.8, .3, 3, 37.6474, 37}};
+  std::vector<Number> numbers;
+  for (const auto& row : rows)
+    numbers.push_back({fmt::format("base {:g} %, walls {:g} %, ratio {:g}", 100 * row.base, 100 * row.walls, row.ratio),
+                       asPrinted ? row.printed : row.exact,
+                       100 * effectiveReflectance(row.base, row.walls, cavityOf(row.ratio)), 0});
+  return numbers;
+}
+
+// Room A by the hand method, every step by ours: cavities above the lamps (2.8 m) and below the work plane (0.8 m),
+// direct light on the work plane, utilisation, mean.
+std::vector<Number> roomAByHand() {
+  const double ceiling = effectiveReflectance(.7, .5, {6 / .2, 4 / .2}),
+               floor = effectiveReflectance(.2, .5, {6 / .8, 4 / .8}), flux = 4 * pi * 1000;
+  ProjectText project;
+  project.paint("black", 0);
+  project.room({6, 4, 3}, "black");
+  for (const double x : {1.5, 4.5})
+    for (const double y : {1.0, 3.0})
+      project.luminaire({x, y, 2.8}, fmt::format(R"("photometry": "cosine", "flux": {})", 1000 * pi));
+  project.plane("work plane", {0, 0, 0.8}, {6, 0, 0}, {0, 4, 0}, 120, 80, {0, 0, 1});
+  const double direct = calculate(project, "0.5 %").grids[0].mean.value * 24 / flux;
+  const double utilisation = utilisationFactor(0, flux, flux, direct, {3, 2}, {ceiling, .5, floor});
+  return {{"ceiling cavity", .646863, ceiling, 0},
+          {"floor cavity", .186589, floor, 0},
+          {"direct ratio", .520512, direct, 0},
+          {"coefficient of utilisation", .692967, utilisation, 0},
+          {"mean / lx", 362.836, utilisation * flux / 24, 0}};
+}
+
 }  // namespace
 
 Section glareSection() {
@@ -114,6 +160,12 @@ Section glareSection() {
       {"6.5", "Zonal cavity", "",
        "form factors, and the utilisation of room A by hand (the exact mean is 0.9 % higher)",
        "three-surface exchange, by another program", "", 1e-5, 0, false, zonalCavity},
+      {"6.5c", "Effective cavity reflectance", "%", "cavities of 1.6 : 1", "three-surface exchange, by another program",
+       "", 1e-5, 0, false, [] { return cavities(false); }},
+      {"6.5t", "Effective cavity reflectance, printed", "%", "the same", "table of the IES, to the whole percent (± 1)",
+       "", 1e-2, 100, false, [] { return cavities(true); }},
+      {"6.6", "Room A by hand", "", "zonal-cavity method from the reflectances to the mean",
+       "the same method, by another program; the exact mean is 366.25 lx", "", 5e-4, 0, false, roomAByHand},
   };
   return section;
 }

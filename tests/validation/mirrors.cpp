@@ -1,4 +1,4 @@
-// Light by mirrors, and through water.
+// Light by mirrors, flat and curved, and through water.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -64,18 +64,19 @@ std::vector<Number> facingMirrors() {
 }
 
 // An isotropic lamp 1 m over water of index 1.33, 0.5 m deep: a ray of angle a in air lands at tan a + 0.5 tan b.
-// E = I T(a) sin a da / (r dr).
-std::vector<Number> underWater() {
-  const double n = 1.33, diameter = 0.2, h = 1, depth = 0.5;
+// E = I T(a) sin a da / (r dr). `diameter` 0: a point.
+std::vector<Number> underWater(double diameter, const char* accuracy, const std::vector<double>& angles) {
+  const double n = 1.33, h = 1, depth = 0.5;
   ProjectText project;
   project.material("water", fmt::format(R"("model": "dielectric", "ior": {})", n));
   project.paint("black", 0);
-  project.rectangle({-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, "water");
-  project.rectangle({-50, -50, -depth}, {100, 0, 0}, {0, 100, 0}, "black");
-  project.luminaire({0, 0, h},
-                    candela(1000) + fmt::format(R"(, "shape": {{ "sphere": {{ "diameter": {} }} }})", diameter));
+  project.object(R"("shape": "box", "min": [-10,-10,-0.5], "max": [10,10,0], )"
+                 R"("materials": { "*": "water", "floor": "black", "walls": "black" })");
+  project.luminaire(
+      {0, 0, h},
+      candela(1000) + (diameter > 0 ? fmt::format(R"(, "shape": {{ "sphere": {{ "diameter": {} }} }})", diameter)
+                                    : R"(, "shape": "point")"));
   const auto landing = [&](double a) { return h * std::tan(a) + depth * std::tan(std::asin(std::sin(a) / n)); };
-  const double angles[] = {0, 20, 40};
   std::vector<core::Vec3> points;
   std::vector<double> expected;
   for (const double degrees : angles) {
@@ -87,15 +88,41 @@ std::vector<Number> underWater() {
     const double lx = degrees == 0
                           ? 1000 * t / std::pow(h + depth / n, 2)
                           : 1000 * t * std::sin(a) * 2 * step / (landing(a) * (landing(a + step) - landing(a - step)));
-    points.push_back({landing(a), 0, -depth + 1e-9});
+    points.push_back({landing(a), 0, -depth});
     expected.push_back(lx);
   }
   project.points("floor", points, {up});
-  const auto results = calculate(project, "2 %");
+  const auto results = calculate(project, accuracy);
   std::vector<Number> numbers;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)  // a sphere is no point: 0.5 %
     numbers.push_back(numberAt(fmt::format("{:g}° in air, {:.5f} m aside", angles[i], points[i].x), expected[i],
-                               results.grids[0], i, 0.005 * expected[i]));  // the lamp is no point
+                               results.grids[0], i, diameter > 0 ? 0.005 * expected[i] : 0.0));
+  return numbers;
+}
+
+// A parabolic mirror of focal length 0.1 m with the lamp in its focus sends a parallel beam, at every distance the
+// same.
+std::vector<Number> paraboloid() {
+  const double f = 0.1, rho = 0.9, candelas = 100;
+  std::vector<Number> numbers;
+  ProjectText project;
+  project.material("mirror", fmt::format(R"("model": "mirror", "reflectance": {})", rho));
+  project.surround(1.5);
+  project.object(R"("shape": "quadric", "xx": 1, "yy": 1, "z": -0.4, "size": 1, "min": [-0.3,-0.3,-0.01], )"
+                 R"("max": [0.3,0.3,0.2], "material": "mirror")");
+  project.luminaire({0, 0, f}, candela(candelas) + R"(, "shape": "point")");
+  const double places[] = {0, .05, .1, .2};
+  std::vector<core::Vec3> points;
+  for (const double height : {.6, 1.1})
+    for (const double r : places) points.push_back({r, 0, height});
+  project.points("beam", points, {{0, 0, -1}});
+  const auto results = calculate(project, "0.2 %");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double r = points[i].x, away = points[i].z - f, t = r / (2 * f);
+    const double beam = rho * candelas / (f * f * std::pow(1 + t * t, 2));
+    const double direct = candelas * away / std::pow(away * away + r * r, 1.5);
+    numbers.push_back(numberAt(fmt::format("r {:g} m, {:g} m away", r, away), beam + direct, results.grids[0], i));
+  }
   return numbers;
 }
 
@@ -104,12 +131,22 @@ std::vector<Number> underWater() {
 Section mirrorSection() {
   Section section;
   section.title = "Mirrors and refraction";
-  section.introduction = "Light that reaches a point by mirrors or through a surface of water.";
+  section.introduction = "Light that reaches a point by mirrors, flat or curved, or through a surface of water.";
   section.cases = {
-      {"4.8", "Lamp over water", "lx",
-       "1000 cd 1 m over water of index 1.33 and 0.5 m depth, on its floor; the lamp is a sphere of 0.2 m",
-       "a ray tube's Fresnel transmittance and its cross-section on the floor, of a point lamp (0.5 %)",
-       "0 lx of a point lamp in plain path tracers", 2.5e-2, 0, true, underWater},
+      {"4.8", "Lamp over water", "lx", "a point of 1000 cd, 1 m over water of index 1.33 and 0.5 m depth, on its floor",
+       "a ray tube's Fresnel transmittance and its cross-section on the floor", "0 lx in plain path tracers", 5e-3, 0,
+       false,
+       [] {
+         return underWater(0, "0.5 %", {0, 20, 40, 60});
+       }},
+      {"4.8s", "Ball lamp over water", "lx", "the same; the lamp is a sphere of 0.2 m",
+       "the same, of a point lamp (0.5 %)", "", 2.5e-2, 0, false,
+       [] {
+         return underWater(0.2, "2 %", {0, 20, 40});
+       }},
+      {"4.9", "Parabolic mirror", "lx", "a point of 100 cd in the focus, f 0.1 m, ρ 0.9, on planes that face the beam",
+       "ρ I / (f² (1 + (r / 2f)²)²), and the lamp's direct light", "0 lx of the beam in plain path tracers", 5e-3, 0,
+       false, paraboloid},
       {"4.10", "Mirror on a wall", "lx", "mirror from 0.5 to 1.5 m height, ρ 0.9; floor at x", "the lamp and its image",
        "", 1e-5, 0, false, mirrorWall},
       {"4.10f", "Two facing mirrors", "lx", "2 m apart, floor between them", "series of images",

@@ -27,6 +27,13 @@ double byChance(double value, double halfWidth) {
   return halfWidth > 1e-9 * std::abs(value) ? halfWidth : 0;
 }
 
+pipeline::StageRequest requestFor(const ProjectText& project) {
+  pipeline::StageRequest request;
+  request.inputs = {std::string(GONIOLUX_SOURCE_DIR) + "/projects/validation"};
+  request.projectText = project.text();
+  return request;
+}
+
 project::Results calculate(pipeline::StageRequest request, const std::string& accuracy, const std::string& solver) {
   request.common.accuracy = accuracy;
   if (!solver.empty()) request.common.solver = solver;
@@ -97,11 +104,12 @@ std::string ProjectText::text() const {
       materials_, objects_, luminaires_.empty() ? off : luminaires_, grids_, observers_);
 }
 
+project::Project projectOf(const ProjectText& text) {
+  return pipeline::readProjectFor(requestFor(text), pipeline::AccuracyOf::grids);
+}
+
 project::Results calculate(const ProjectText& project, const std::string& accuracy, const std::string& solver) {
-  pipeline::StageRequest request;
-  request.inputs = {std::string(GONIOLUX_SOURCE_DIR) + "/projects/validation"};
-  request.projectText = project.text();
-  return calculate(std::move(request), accuracy, solver);
+  return calculate(requestFor(project), accuracy, solver);
 }
 
 project::Results calculateProject(const std::string& folder, const std::string& accuracy) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "project/project.h"
 #include "project/results.h"
 #include "validation/case.h"
 
@@ -38,6 +39,8 @@ class ProjectText {
   std::string materials_, objects_, luminaires_, grids_, observers_;
 };
 
+/// Throws core::InputError where the text is no good project.
+project::Project projectOf(const ProjectText& text);
 /// `solver` "": the one that the planner chooses. Throws core::InputError where the text is no good project.
 project::Results calculate(const ProjectText& project, const std::string& accuracy, const std::string& solver = "");
 /// A project of the folder projects/.

@@ -4,8 +4,9 @@ namespace goniolux::validation {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all{
-      cie171Section(), nearFieldSection(), quantitySection(), interreflectionSection(), roomSection(), fresnelSection(),
-      mirrorSection(), colourSection(),    spectralSection(), glareSection(),           treeSection()};
+      cie171Section(),   nearFieldSection(), quantitySection(), interreflectionSection(), roomSection(),
+      fresnelSection(),  roughSection(),     bodySection(),     mirrorSection(),          colourSection(),
+      spectralSection(), glareSection(),     treeSection()};
   return all;
 }
 

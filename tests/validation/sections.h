@@ -13,6 +13,8 @@ Section quantitySection();
 Section interreflectionSection();
 Section roomSection();
 Section fresnelSection();
+Section roughSection();
+Section bodySection();
 Section mirrorSection();
 Section colourSection();
 Section spectralSection();

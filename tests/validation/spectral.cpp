@@ -92,6 +92,28 @@ std::vector<Number> sodiumNotch() {
   return numbers;
 }
 
+// Four wavelengths a path, rotated together: single paths scatter, their mean over all rotations is exact.
+std::vector<Number> heroWavelengths() {
+  constexpr int rotations = 4096;
+  std::vector<Number> numbers;
+  for (const char* name : {"D65", "FL11"}) {
+    const std::vector<SpectralDistribution> sources{illuminant(std::string("CIE ") + name).value()};
+    const SpectralQuadrature control = controlQuadrature(sources);
+    const Response every = overlap(control);
+    const bool daylight = name[0] == 'D';
+    const double known[] = {daylight ? 16.4389 : 100 * every[0], daylight ? 36.6179 : 100 * every[1],
+                            daylight ? 6.8041 : 100 * every[2]};
+    Response mean{};
+    for (int i = 0; i < rotations; ++i) {
+      const Response one = overlap(findSpectralScheme("hero")->make({4, sources, control, {}, (i + 0.5) / rotations}));
+      for (std::size_t c = 0; c < 3; ++c) mean[c] += one[c] / rotations;
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      numbers.push_back({fmt::format("{}, {}", name, "XYZ"[c]), known[c], 100 * mean[c], 0});
+  }
+  return numbers;
+}
+
 }  // namespace
 
 Section spectralSection() {
@@ -108,6 +130,11 @@ Section spectralSection() {
        "another program, at 1 nm", "", 5e-4, 0, false, overlapColour},
       {"5.3", "What few samples miss", "ΔE₀₀", "CIEDE2000 of the overlap to that of every nanometre",
        "another program, by sums at 1 nm (ours are integrals: 1 %)", "", 1e-2, 0.5, false, schemes},
+      {"5.4", "Hero wavelengths", "", "the overlap by four wavelengths a path, mean over their rotations: no bias",
+       "under D65 another program, at 1 nm; under FL11 every nanometre",
+       "ΔE₀₀ of 1 / 4 / 16 / 64 / 256 paths 10.4 / 5.0 / 1.1 / 0.14 / 0.018 by another program under D65; ours 9.8 / "
+       "2.2 / 0.28 / 0.051 / 0.013",
+       1e-3, 0, false, heroWavelengths},
       {"5.5", "Sodium line through a narrow filter", "", "line of 589.3 nm, notch with a transmittance of 0.05 there",
        "the filter at the line", "9 even bins 0.97, 31 bins 0.43, 81 bins 0.063", 2e-4, 1, false, sodiumNotch},
   };

@@ -14,7 +14,7 @@ namespace {
 using core::Vec2;
 using Align = TextStyle::Align;
 
-constexpr Rgb grid{0xdd, 0xdd, 0xdd}, guide{0x80, 0x80, 0x80};
+constexpr Rgb grid{0xdd, 0xdd, 0xdd}, guide{0x80, 0x80, 0x80}, pale{0xf1, 0xe2, 0xa6};
 // Told apart also without colour, by their dashes.
 constexpr Rgb colours[] = {{0x1b, 0x4f, 0x9c}, {0xc2, 0x55, 0x0a}, {0x2d, 0x7d, 0x46},
                            {0x7a, 0x3b, 0x8f}, {0x8a, 0x6d, 0x00}, {0x44, 0x44, 0x44}};
@@ -65,6 +65,10 @@ LineChartPainter::LineChartPainter(const LineChart& chart, int width, int height
       low.y /= room, high.y *= room;
       for (const double value : chart.guides)
         if (value > 0) low.y = std::min(low.y, value / room);
+      for (const ChartLevel& level : chart.levels) {
+        low.y = std::min(low.y, level.y / room);
+        high.y = std::max(high.y, level.y * room * room);  // for the words on it
+      }
     }
   }
   x_ = {low.x, high.x > low.x ? high.x : low.x + 1, chart.x.logarithmic};
@@ -97,6 +101,12 @@ void LineChartPainter::paintAxes(Ink& ink) const {
     const double y = at({x_.low, value}).y;
     ink.line({{low.x, y}, {high.x, y}}, guide, 1.6);
   }
+  for (const ChartLevel& level : chart_.levels) {
+    if (level.y < y_.low || level.y > y_.high) continue;
+    const double y = at({x_.low, level.y}).y, x = level.from > x_.low ? at({level.from, level.y}).x : low.x;
+    for (const Polyline& part : dashed({{x, y}, {high.x, y}}, 3, 5)) ink.line(part, guide, 1.6);
+    ink.text(level.text, {high.x - 10, y + 12}, {14, false, grey, 0, Align::right});
+  }
   ink.line({low, {high.x, low.y}, high, {low.x, high.y}, low}, black, 1.2);
   ink.text(chart_.x.title, {(low.x + high.x) / 2, low.y - 48}, {16, false, black, 0, Align::center});
   ink.text(chart_.y.title, {28, (low.y + high.y) / 2}, {16, false, black, core::pi / 2, Align::center});
@@ -109,8 +119,11 @@ void LineChartPainter::paint(Ink& ink) const {
   std::string facts;
   for (const std::string& fact : chart_.facts) facts += (facts.empty() ? "" : "     ") + fact;
   ink.text(facts, {edge, high - 116}, fitting(facts, {17}, width() - 2 * edge));
+  Polyline front;
+  for (const Vec2& point : chart_.front) front.push_back(at(point));
+  if (front.size() > 1) ink.line(front, pale, 14);
   paintAxes(ink);
-  double x = left, y = 62;  // of the legend, in two rows where one is too short
+  double x = left, y = 68;  // of the legend, in rows where one is too short
   for (std::size_t k = 0; k < chart_.curves.size(); ++k) {
     Polyline line;
     for (const Vec2& point : chart_.curves[k].points) line.push_back(at(point));
@@ -124,8 +137,17 @@ void LineChartPainter::paint(Ink& ink) const {
     ink.text(chart_.curves[k].name, {x + 54, y}, {16});
     x += entry + 34;
   }
+  if (front.size() > 1 && !chart_.frontName.empty()) {
+    if (x > left && x + 54 + textSize(chart_.frontName, {16}).x > width() - edge) x = left, y -= 20;
+    ink.line({{x, y}, {x + 44, y}}, pale, 14);
+    ink.text(chart_.frontName, {x + 54, y}, {16});
+  }
   for (const ChartNote& note : chart_.notes) {
     const Vec2 place = at(note.point);
+    if (!note.ring) {
+      ink.text(note.text, place + Vec2(0, 15), {12, false, grey, 0, Align::center});
+      continue;
+    }
     Polyline circle = ring(place, 11);
     circle.push_back(circle.front());
     ink.line(circle, black, 2);
