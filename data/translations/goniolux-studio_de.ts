@@ -444,6 +444,14 @@
  <message><source>Half-width</source><translation>Halbbreite</translation></message>
 </context>
 <context>
+ <name>goniolux::gui::GlCanvas</name>
+ <message><source>The 3-D view needs OpenGL 3.2, which this display does not offer; everything else works.</source><translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet; alles andere geht.</translation></message>
+</context>
+<context>
+ <name>goniolux::gui::Paper</name>
+ <message><source>Double click: large, in a window of its own</source><translation>Doppelklick: groß, in einem eigenen Fenster</translation></message>
+</context>
+<context>
  <name>format</name>
  <message><source>accuracy</source><translation>Genauigkeit</translation></message>
  <message><source>adaptive</source><translation>anpassend</translation></message>
@@ -574,7 +582,7 @@
  <message><source>transmittance per</source><translation>Transmissionsgrad je</translation></message>
  <message><source>tree</source><translation>Strahlenbaum</translation></message>
  <message><source>tube radius</source><translation>Rohrradius</translation></message>
- <message><source>turn</source><translation>Drehung um die Achse</translation></message>
+ <message><source>turn</source><translation>Achsdrehung</translation></message>
  <message><source>u0</source><translation>U0</translation></message>
  <message><source>u</source><translation>u</translation></message>
  <message><source>ud</source><translation>Ud</translation></message>
@@ -588,6 +596,24 @@
  <message><source>width</source><translation>Breite</translation></message>
  <message><source>with</source><translation>mit</translation></message>
  <message><source>x</source><translation>x</translation></message>
+ <message><source>a luminaire</source><translation>eine Leuchte</translation></message>
+ <message><source>a grid</source><translation>ein Raster</translation></message>
+ <message><source>a material</source><translation>ein Material</translation></message>
+ <message><source>a view</source><translation>eine Ansicht</translation></message>
+ <message><source>an observer</source><translation>ein Beobachter</translation></message>
+ <message><source>a requirement</source><translation>eine Anforderung</translation></message>
+ <message><source>a scene</source><translation>eine Lichtszene</translation></message>
+ <message><source>the project</source><translation>das Projekt</translation></message>
+ <message><source>a box</source><translation>ein Quader</translation></message>
+ <message><source>a sphere</source><translation>eine Kugel</translation></message>
+ <message><source>a cylinder</source><translation>ein Zylinder</translation></message>
+ <message><source>a disc</source><translation>eine Scheibe</translation></message>
+ <message><source>a rectangle</source><translation>ein Rechteck</translation></message>
+ <message><source>an object</source><translation>ein Objekt</translation></message>
+ <message><source>a group</source><translation>eine Gruppe</translation></message>
+ <message><source>xx</source><translation>xx</translation></message>
+ <message><source>yy</source><translation>yy</translation></message>
+ <message><source>zz</source><translation>zz</translation></message>
  <message><source>xy</source><translation>xy</translation></message>
  <message><source>xz</source><translation>xz</translation></message>
  <message><source>y</source><translation>y</translation></message>

@@ -36,9 +36,9 @@ struct PatchReading {
 /// better than its tristimulus values apart. That of the colour temperature is the largest change within them.
 PatchReading readPatch(const XyzImage& image, int column, int row, double radius);
 
-/// The pixels whose centres lie inside a polygon; its corners in pixels from the upper left corner of the image, x to the
-/// right, y down, so that the centre of pixel (column, row) is (column + 0.5, row + 0.5). Of edges that cross, what an
-/// odd number of them encloses counts. Nothing (0 pixels) where it holds no centre.
+/// The pixels whose centres lie inside a polygon; its corners in pixels from the upper left corner of the image, x to
+/// the right, y down, so that the centre of pixel (column, row) is (column + 0.5, row + 0.5). Of edges that cross, what
+/// an odd number of them encloses counts. Nothing (0 pixels) where it holds no centre.
 PatchReading readPolygon(const XyzImage& image, const std::vector<core::Vec2>& corners);
 
 }  // namespace goniolux::image

@@ -245,9 +245,10 @@ TEST_F(Editing, TheInterfaceAnswersWhileItCalculates) {
   ASSERT_TRUE(waitForCheck());
   const Pause editing = watchdog.longest();
   const double editingCpu = watchdog.busiest().cpu;
-  std::printf("longest pause of the interface: %.0f ms calculating, %.0f ms editing; most computed in one go %.0f and "
-              "%.0f ms\n",
-              calculating.clock, editing.clock, calculatingCpu, editingCpu);
+  std::printf(
+      "longest pause of the interface: %.0f ms calculating, %.0f ms editing; most computed in one go %.0f and "
+      "%.0f ms\n",
+      calculating.clock, editing.clock, calculatingCpu, editingCpu);
   // By the clock other programs count, too: a busy machine gives no process its turn for longer.
   EXPECT_LE(calculatingCpu, 100);
   EXPECT_LE(editingCpu, 100);

@@ -111,8 +111,8 @@ TEST_F(Performance, DISABLED_WhereTheTimeOfAPictureGoes) {
     measure(what, false);
   }
   for (int k = actors->GetNumberOfItems() - 1; k > 8; --k) {
-    auto* data = vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(actors->GetItemAsObject(k))->GetMapper())
-                     ->GetInput();
+    auto* data =
+        vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(actors->GetItemAsObject(k))->GetMapper())->GetInput();
     const bool isLines = data->GetNumberOfPolys() == 0;
     if (isLines) empty(k);
   }
@@ -182,9 +182,10 @@ TEST_F(Performance, ALargeProjectTurnsSmoothly) {
       "that were all\n",
       1 / wall, 1e3 * cpu, 1 / cpu);
   const auto say = [](const char* when, const Pause& pause, double busiest) {
-    std::printf("longest pause %s: %.0f ms (computing %.0f, without a processor %.0f, waiting %.0f); most computed in "
-                "one go %.0f ms\n",
-                when, pause.clock, pause.cpu, pause.starved, pause.asleep(), busiest);
+    std::printf(
+        "longest pause %s: %.0f ms (computing %.0f, without a processor %.0f, waiting %.0f); most computed in "
+        "one go %.0f ms\n",
+        when, pause.clock, pause.cpu, pause.starved, pause.asleep(), busiest);
   };
   say("turning", turning, turningCpu);
   say("while the details come in", watchdog.longest(), watchdog.busiest().cpu);

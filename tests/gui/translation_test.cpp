@@ -41,11 +41,11 @@ Catalogue german() {
 std::vector<std::pair<QString, QString>> sentencesOf(const QString& code) {
   // In the order of the text: a method's beginning names the class, a tr belongs to the last one named.
   static const QRegularExpression place(
-      R"re(^(?:[\w:<>&*, ]+[ *&])?(?<class>\w+)::~?\w+\(|(?:(?<of>\w+)::)?\btr\(\s*(?<text>(?:"(?:[^"\\]|\\.)*"\s*)+))re",
+      R"re(^(?! )(?:[\w:<>&*, ]+[ *&])?(?<class>\w+)::~?\w+\(|(?:(?<of>\w+)::)?\btr\(\s*(?<text>(?:"(?:[^"\\]|\\.)*"\s*)+))re",
       QRegularExpression::MultilineOption);
   static const QRegularExpression piece(R"re("((?:[^"\\]|\\.)*)")re");
   std::vector<std::pair<QString, QString>> found;
-  QString inside;
+  QString inside = "gui";  // outside of classes
   for (auto at = place.globalMatch(code); at.hasNext();) {
     const QRegularExpressionMatch match = at.next();
     if (const QString name = match.captured("class"); !name.isEmpty()) {

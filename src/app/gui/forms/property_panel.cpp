@@ -101,9 +101,9 @@ void PropertyPanel::build() {
     layout->addWidget(heading);
     addSection(*section, "", layout);
   } else {
-    auto* hint = new QLabel(
-        pointers_.empty()       ? tr("Select something in the project or in the 3-D view.")
-        : pointers_.size() == 1 ? tr("This entry is edited in the text of the project.")
+    auto* hint = new QLabel(pointers_.empty() ? tr("Select something in the project or in the 3-D view.")
+                            : pointers_.size() == 1
+                                ? tr("This entry is edited in the text of the project.")
                                 : tr("%n entries of several kinds: they are moved, turned, copied and removed "
                                      "together. Select entries of one kind to edit their values.",
                                      nullptr, static_cast<int>(pointers_.size())));

@@ -1,6 +1,6 @@
-// ImageCanvas: a picture, fitted, with an earlier one beside it behind a movable line. What is measured in it is pointed
-// at, or drawn as a rectangle (dragged) or a polygon (clicked corner by corner, closed by a double click or at its first
-// corner; Escape takes it back).
+// ImageCanvas: a picture, fitted, with an earlier one beside it behind a movable line. What is measured in it is
+// pointed at, or drawn as a rectangle (dragged) or a polygon (clicked corner by corner, closed by a double click or at
+// its first corner; Escape takes it back).
 #pragma once
 
 #include <QImage>

@@ -81,7 +81,8 @@ std::optional<Picked> pick(const RoomScene& scene, const Ray& ray, double reach,
       distance = hit(ray, mark.footprint[0], mark.footprint[i - 1], mark.footprint[i], false);
     if (!distance) {
       const double along = glm::dot(mark.position - ray.origin, ray.direction);
-      if (along > ray.least && along < ray.most && glm::length(mark.position - ray.origin - along * ray.direction) < reach * along)
+      if (along > ray.least && along < ray.most &&
+          glm::length(mark.position - ray.origin - along * ray.direction) < reach * along)
         distance = along;
     }
     if (distance && (!luminaire || *distance < luminaire->distance))

@@ -185,9 +185,8 @@ void AccuracyPanel::take(int row, const pipeline::StageReport& report) {
 void AccuracyPanel::showWords() {
   const QTreeWidgetItem* item = table_->currentItem();
   const QString words = item != nullptr ? item->data(0, wordsRole).toString() : QString();
-  words_->setText(words.isEmpty()
-                      ? tr("What the planner would leave out, and why it chooses as it does, appears here.")
-                      : words);
+  words_->setText(words.isEmpty() ? tr("What the planner would leave out, and why it chooses as it does, appears here.")
+                                  : words);
 }
 
 }  // namespace goniolux::gui

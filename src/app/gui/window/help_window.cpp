@@ -50,8 +50,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QMainWindow(parent) {
   const std::pair<QString, const char*> pages[] = {{tr("This program"), "studio/README.md"},
                                                    {tr("Getting started"), "getting-started.md"},
                                                    {tr("The project file"), "project-format.md"}};
-  for (const auto& [title, page] : pages)
-    bar->addAction(title, this, [this, wanted = QString(page)] { open(wanted); });
+  for (const auto& [title, page] : pages) bar->addAction(title, this, [this, wanted = QString(page)] { open(wanted); });
   back->setShortcut(QKeySequence::Back);
   forward->setShortcut(QKeySequence::Forward);
   back->setEnabled(false);

@@ -56,8 +56,9 @@ PicturePage::PicturePage(QWidget* parent)
   render_->setProperty("picture", "render");
   spectra_ = new QCheckBox(tr("with spectra"), bar);
   spectra_->setObjectName("spectra");
-  spectra_->setToolTip(tr("The picture carries the spectral radiance of every pixel from 400 to 700 nm, for the meter: "
-                          "takes several times as long"));
+  spectra_->setToolTip(
+      tr("The picture carries the spectral radiance of every pixel from 400 to 700 nm, for the meter: "
+         "takes several times as long"));
   bar->addWidget(spectra_);
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -144,9 +145,10 @@ QWidget* PicturePage::buildMeter() {
   tool_->setItemData(1, tr("Drag over the picture."), Qt::ToolTipRole);
   tool_->setItemData(2, tr("Click the corners; a double click closes it, Escape takes it back."), Qt::ToolTipRole);
   tool_->setToolTip(tr("What is measured: the mean of the pixels inside"));
-  meter_->setToolTip(tr("Luminance L_v: luminous flux per projected area and solid angle (CIE S 017, 17-21-050). x, y: "
-                        "CIE 1931 chromaticity. CCT: temperature of the Planckian radiator whose chromaticity is the "
-                        "nearest (CIE S 017, 17-23-068)."));
+  meter_->setToolTip(
+      tr("Luminance L_v: luminous flux per projected area and solid angle (CIE S 017, 17-21-050). x, y: "
+         "CIE 1931 chromaticity. CCT: temperature of the Planckian radiator whose chromaticity is the "
+         "nearest (CIE S 017, 17-23-068)."));
   auto* toolRow = new QHBoxLayout;
   toolRow->addWidget(tool_, 1);
   toolRow->addWidget(radius_, 1);

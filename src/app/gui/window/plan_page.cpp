@@ -7,8 +7,8 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStyle>
-#include <QTableView>
 #include <QTabWidget>
+#include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -83,8 +83,9 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   levels_ = new QLineEdit(bar);
   levels_->setObjectName("levels");
   levels_->setPlaceholderText(tr("automatic"));
-  levels_->setToolTip(tr("Values of the isolux lines, here and in the 3-D view, such as 100, 200, 300, 500; empty: "
-                         "chosen from the results"));
+  levels_->setToolTip(
+      tr("Values of the isolux lines, here and in the 3-D view, such as 100, 200, 300, 500; empty: "
+         "chosen from the results"));
   levels_->setMaximumWidth(170);
   bar->addWidget(levels_);
   auto* space = new QWidget(bar);
@@ -92,16 +93,14 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   bar->addWidget(space);
   bar->addAction(icon("export"), tr("Export this plot …"), this, &PlanPage::exportRequested);
   connect(grids_, &QComboBox::currentTextChanged, view_, &PlanView::setGrid);
-  connect(colours, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          [this, colours] {
-            view_->setPalette(colours->currentData().toString().toStdString());
-            Q_EMIT scaleChanged();
-          });
-  connect(banded, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          [this, banded] {
-            view_->setBanded(banded->currentData().toBool());
-            Q_EMIT scaleChanged();
-          });
+  connect(colours, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, colours] {
+    view_->setPalette(colours->currentData().toString().toStdString());
+    Q_EMIT scaleChanged();
+  });
+  connect(banded, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, banded] {
+    view_->setBanded(banded->currentData().toBool());
+    Q_EMIT scaleChanged();
+  });
   connect(levels_, &QLineEdit::editingFinished, this, &PlanPage::takeLevels);
 }
 
@@ -141,8 +140,8 @@ void PlanPage::showSection() {
 
 void PlanPage::takeLevels() {
   const QString text = levels_->text().trimmed();
-  const auto levels = text.isEmpty() ? std::optional<std::vector<double>>(std::in_place)
-                                     : plot::parseLevels(text.toStdString());
+  const auto levels =
+      text.isEmpty() ? std::optional<std::vector<double>>(std::in_place) : plot::parseLevels(text.toStdString());
   levels_->setProperty("wrong", !levels);
   levels_->style()->unpolish(levels_);
   levels_->style()->polish(levels_);

@@ -105,8 +105,7 @@ void ProjectTree::addCopies(project::ProjectText& text, const std::string& list,
   std::set<std::string> taken = namesIn(existing);
   const bool byName = list == "/materials";
   std::size_t next = existing != nullptr && existing->isArray() ? existing->array().size() : 0;
-  if (valueAt(text.root(), list) == nullptr)
-    setIn(text, list, byName ? Value(Value::Object{}) : Value(Value::Array{}));
+  if (valueAt(text.root(), list) == nullptr) setIn(text, list, byName ? Value(Value::Object{}) : Value(Value::Array{}));
   for (const Value& entry : entries.array()) {
     const Value *name = entry.find("name"), *value = entry.find("value");
     if (name == nullptr || !name->isString() || value == nullptr || !value->isObject()) continue;
