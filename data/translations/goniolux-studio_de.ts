@@ -23,6 +23,7 @@
  <message><source>What accuracy costs in this project appears here.</source><translation>Hier steht, was Genauigkeit in diesem Projekt kostet.</translation></message>
  <message><source>Left out, and why</source><translation>Weggelassen, und warum</translation></message>
  <message><source>Work–precision</source><translation>Aufwand–Genauigkeit</translation></message>
+ <message><source>Double click: calculate with this accuracy from now on</source><translation>Doppelklick: von nun an mit dieser Genauigkeit rechnen</translation></message>
 </context>
 <context>
  <name>goniolux::gui::Document</name>
@@ -167,7 +168,6 @@
  <message><source>PNG picture (*.png)</source><translation>PNG-Bild (*.png)</translation></message>
  <message><source>Export</source><translation>Ausgeben</translation></message>
  <message><source>There are no results; calculate first.</source><translation>Es gibt keine Ergebnisse; berechnen Sie zuerst.</translation></message>
- <message><source>%1 cannot be written.</source><translation>%1 kann nicht geschrieben werden.</translation></message>
  <message><source>There is no finished picture; render first.</source><translation>Es gibt kein fertiges Bild; berechnen Sie zuerst eines.</translation></message>
  <message><source>Export %1</source><translation>%1 ausgeben</translation></message>
  <message><source>Nothing was exported</source><translation>Nichts wurde ausgegeben</translation></message>
@@ -187,7 +187,6 @@
  <message numerus="yes"><source>%n error(s)</source><translation><numerusform>%n Fehler</numerusform><numerusform>%n Fehler</numerusform></translation></message>
  <message numerus="yes"><source>%n warning(s)</source><translation><numerusform>%n Warnung</numerusform><numerusform>%n Warnungen</numerusform></translation></message>
  <message><source>no problems</source><translation>keine Probleme</translation></message>
- <message><source>Move a luminaire</source><translation>Leuchte verschieben</translation></message>
  <message><source>Saved.</source><translation>Gespeichert.</translation></message>
  <message><source>The project cannot be saved</source><translation>Das Projekt kann nicht gespeichert werden</translation></message>
  <message><source>Folder for the project</source><translation>Ordner für das Projekt</translation></message>
@@ -201,9 +200,13 @@
  <message><source>PDF document (*.pdf);;Web page (*.html)</source><translation>PDF-Dokument (*.pdf);;Webseite (*.html)</translation></message>
  <message><source>&amp;Documentation</source><translation>&amp;Dokumentation</translation></message>
  <message><source>The documentation cannot be opened</source><translation>Die Dokumentation lässt sich nicht öffnen</translation></message>
- <message><source>No program is set for it, or it is not installed; it is the folder docs of Goniolux.</source><translation>Dafür ist kein Programm bestimmt, oder sie ist nicht installiert; sie ist der Ordner docs von Goniolux.</translation></message>
  <message><source>Move</source><translation>Verschieben</translation></message>
  <message><source>Turn</source><translation>Drehen</translation></message>
+ <message><source>Predict the times …</source><translation>Zeiten vorhersagen …</translation></message>
+ <message><source>There is no plot yet; calculate first.</source><translation>Es gibt noch keine Darstellung; rechnen Sie zuerst.</translation></message>
+ <message><source>%1 cannot be written; choose another folder or ending.</source><translation>%1 kann nicht geschrieben werden; wählen Sie einen anderen Ordner oder eine andere Endung.</translation></message>
+ <message><source>It is not installed; it is the folder docs of Goniolux.</source><translation>Sie ist nicht installiert; es ist der Ordner docs von Goniolux.</translation></message>
+ <message><source>Open a project or make a room first; then drop the luminaire again.</source><translation>Öffnen Sie zuerst ein Projekt oder legen Sie einen Raum an; ziehen Sie die Leuchte dann noch einmal herein.</translation></message>
 </context>
 <context>
  <name>goniolux::gui::NewRoomDialog</name>
@@ -244,10 +247,25 @@
  <message><source>, being refined</source><translation>, wird verfeinert</translation></message>
  <message><source>White is %1 cd/m². </source><translation>Weiß ist %1 cd/m². </translation></message>
  <message><source>Too bright: %1 %, too pure: %2 % of the pixels.</source><translation>Zu hell: %1 %, zu rein: %2 % der Bildpunkte.</translation></message>
- <message><source>Point at the picture; click to stay there.</source><translation>Zeigen Sie auf das Bild; ein Klick hält die Stelle fest.</translation></message>
  <message><source>Pixel</source><translation>Bildpunkt</translation></message>
  <message><source>CCT</source><translation>Farbtemp.</translation></message>
- <message><source>%1 pixels</source><translation>%1 Bildpunkte</translation></message>
+ <message><source>with spectra</source><translation>mit Spektren</translation></message>
+ <message><source>The picture carries the spectral radiance of every pixel from 400 to 700 nm, for the meter: takes several times as long</source><translation>Das Bild trägt die spektrale Strahldichte jedes Bildpunkts von 400 bis 700 nm, für das Messgerät: dauert mehrmals so lange</translation></message>
+ <message><source>Circle</source><translation>Kreis</translation></message>
+ <message><source>Rectangle</source><translation>Rechteck</translation></message>
+ <message><source>Polygon</source><translation>Vieleck</translation></message>
+ <message><source>Point at the picture; a click stays there.</source><translation>Zeigen Sie ins Bild; ein Klick bleibt dort.</translation></message>
+ <message><source>Drag over the picture.</source><translation>Ziehen Sie über das Bild.</translation></message>
+ <message><source>Click the corners; a double click closes it, Escape takes it back.</source><translation>Klicken Sie die Ecken an; ein Doppelklick schließt, Esc nimmt es zurück.</translation></message>
+ <message><source>What is measured: the mean of the pixels inside</source><translation>Was gemessen wird: das Mittel der Bildpunkte darin</translation></message>
+ <message><source>Luminance L_v: luminous flux per projected area and solid angle (CIE S 017, 17-21-050). x, y: CIE 1931 chromaticity. CCT: temperature of the Planckian radiator whose chromaticity is the nearest (CIE S 017, 17-23-068).</source><translation>Leuchtdichte L_v: Lichtstrom je projizierter Fläche und Raumwinkel (CIE S 017, 17-21-050). x, y: Normfarbwertanteile CIE 1931. CCT: Temperatur des Planckschen Strahlers, dessen Farbart am nächsten liegt (CIE S 017, 17-23-068).</translation></message>
+ <message><source>No spectrum here.</source><translation>Hier ist kein Spektrum.</translation></message>
+ <message><source>Lowest, highest</source><translation>Kleinste, größte</translation></message>
+ <message><source>Uniformity</source><translation>Gleichmäßigkeit</translation></message>
+ <message><source>Pixels</source><translation>Bildpunkte</translation></message>
+ <message><source>Spectral radiance</source><translation>Spektrale Strahldichte</translation></message>
+ <message><source>wavelength / nm</source><translation>Wellenlänge / nm</translation></message>
+ <message><source>where the meter points</source><translation>wo das Messgerät hinzeigt</translation></message>
 </context>
 <context>
  <name>goniolux::gui::PlanPage</name>
@@ -259,14 +277,14 @@
  <message><source>Export this plot …</source><translation>Diesen Plan ausgeben …</translation></message>
  <message><source>Draw a line in the plan with the mouse to see the values along it.</source><translation>Ziehen Sie mit der Maus eine Linie im Plan, um die Werte entlang ihr zu sehen.</translation></message>
  <message><source>Press Calculate to see how the values are spread.</source><translation>Drücken Sie Berechnen, um zu sehen, wie die Werte verteilt sind.</translation></message>
- <message><source>Value</source><translation>Wert</translation></message>
- <message><source>Half-width</source><translation>Halbe Breite</translation></message>
  <message><source>Section</source><translation>Schnitt</translation></message>
  <message><source>Histogram</source><translation>Häufigkeit</translation></message>
  <message><source>Values</source><translation>Werte</translation></message>
  <message><source>The line does not cross the grid.</source><translation>Die Linie schneidet das Raster nicht.</translation></message>
- <message><source>not counted</source><translation>nicht gezählt</translation></message>
- <message><source>%1 more</source><translation>%1 weitere</translation></message>
+ <message><source>Values of the points</source><translation>Werte der Punkte</translation></message>
+ <message><source>  Levels  </source><translation>  Stufen  </translation></message>
+ <message><source>automatic</source><translation>automatisch</translation></message>
+ <message><source>Values of the isolux lines, here and in the 3-D view, such as 100, 200, 300, 500; empty: chosen from the results</source><translation>Werte der Isoluxlinien, hier und in der 3-D-Ansicht, etwa 100, 200, 300, 500; leer: nach den Ergebnissen gewählt</translation></message>
 </context>
 <context>
  <name>goniolux::gui::PlanView</name>
@@ -274,8 +292,6 @@
  <message><source>Press Calculate to see the illuminance here.</source><translation>Drücken Sie „Berechnen“, um die Beleuchtungsstärke hier zu sehen.</translation></message>
  <message><source>not counted</source><translation>nicht gezählt</translation></message>
  <message><source>point %1, %2 m: %3</source><translation>Punkt %1, %2 m: %3</translation></message>
- <message><source>There is no plot yet; calculate first.</source><translation>Es gibt noch keinen Plan; berechnen Sie zuerst.</translation></message>
- <message><source>%1 cannot be written; choose another folder.</source><translation>%1 kann nicht geschrieben werden; wählen Sie einen anderen Ordner.</translation></message>
  <message><source>%1 cannot be written; choose another folder or ending.</source><translation>%1 kann nicht geschrieben werden; wählen Sie einen anderen Ordner oder eine andere Endung.</translation></message>
 </context>
 <context>
@@ -312,6 +328,7 @@
  <message><source>Select something in the project or in the 3-D view.</source><translation>Wählen Sie etwas im Projekt oder in der 3-D-Ansicht aus.</translation></message>
  <message><source>This entry is edited in the text of the project.</source><translation>Dieser Eintrag wird im Text des Projekts bearbeitet.</translation></message>
  <message><source>Change %1</source><translation>%1 ändern</translation></message>
+ <message numerus="yes"><source>%n entries of several kinds: they are moved, turned, copied and removed together. Select entries of one kind to edit their values.</source><translation><numerusform>%n Eintrag.</numerusform><numerusform>%n Einträge verschiedener Art: sie werden gemeinsam bewegt, gedreht, kopiert und entfernt. Wählen Sie Einträge einer Art, um ihre Werte zu ändern.</numerusform></translation></message>
 </context>
 <context>
  <name>goniolux::gui::ResultsPanel</name>
@@ -337,6 +354,7 @@
  <message><source>The whole interval breaks the limit.</source><translation>Das ganze Intervall verletzt die Grenze.</translation></message>
  <message><source>The limit lies inside the interval: ask for more accuracy.</source><translation>Die Grenze liegt im Intervall: verlangen Sie mehr Genauigkeit.</translation></message>
  <message><source>The project has changed since this was calculated: press Calculate again.</source><translation>Das Projekt hat sich seither geändert: drücken Sie noch einmal „Berechnen“.</translation></message>
+ <message><source>UGR, unified glare rating of the luminaires against the luminance that they stand before (CIE 117:1995); EN 12464-1 limits it.</source><translation>UGR, vereinheitlichte Blendungsbewertung der Leuchten gegen die Leuchtdichte, vor der sie stehen (CIE 117:1995); EN 12464-1 begrenzt sie.</translation></message>
 </context>
 <context>
  <name>goniolux::gui::RoomPage</name>
@@ -350,12 +368,19 @@
  <message><source>Aiming lines</source><translation>Ausrichtungen</translation></message>
  <message><source>Calculated illuminance on the grids</source><translation>Berechnete Beleuchtungsstärke auf den Rastern</translation></message>
  <message><source>Measure a distance between two points</source><translation>Abstand zweier Punkte messen</translation></message>
- <message><source>Cut away what lies above a height</source><translation>Wegschneiden, was über einer Höhe liegt</translation></message>
- <message><source>Height of the cut</source><translation>Höhe des Schnitts</translation></message>
  <message><source>Snap </source><translation>Fang </translation></message>
  <message><source>Steps in which the mouse moves things; hold Ctrl to move freely</source><translation>Schritte, in denen die Maus Dinge verschiebt; mit Strg frei</translation></message>
  <message><source>off</source><translation>aus</translation></message>
  <message><source>Look through …</source><translation>Blick durch …</translation></message>
+ <message><source>Photometric solids of selected luminaires</source><translation>Lichtverteilungskörper der gewählten Leuchten</translation></message>
+ <message><source>Cut the room open</source><translation>Den Raum aufschneiden</translation></message>
+ <message><source>What is cut away</source><translation>Was weggeschnitten wird</translation></message>
+ <message><source>above</source><translation>darüber</translation></message>
+ <message><source>right of x</source><translation>rechts von x</translation></message>
+ <message><source>left of x</source><translation>links von x</translation></message>
+ <message><source>behind y</source><translation>hinter y</translation></message>
+ <message><source>before y</source><translation>vor y</translation></message>
+ <message><source>Place of the cut</source><translation>Ort des Schnitts</translation></message>
 </context>
 <context>
  <name>goniolux::gui::RoomView</name>
@@ -401,5 +426,201 @@
  <message><source>must be a whole number</source><translation>muss eine ganze Zahl sein</translation></message>
  <message><source>is needed</source><translation>wird gebraucht</translation></message>
  <message><source>is no value of this kind; lists are written [1, 2, 3]</source><translation>ist kein Wert dieser Art; Listen schreibt man [1, 2, 3]</translation></message>
+</context>
+<context>
+ <name>goniolux::gui::HelpWindow</name>
+ <message><source>Documentation of Goniolux</source><translation>Dokumentation von Goniolux</translation></message>
+ <message><source>Pages</source><translation>Seiten</translation></message>
+ <message><source>Back</source><translation>Zurück</translation></message>
+ <message><source>Forward</source><translation>Vor</translation></message>
+ <message><source>This program</source><translation>Dieses Programm</translation></message>
+ <message><source>Getting started</source><translation>Erste Schritte</translation></message>
+ <message><source>The project file</source><translation>Die Projektdatei</translation></message>
+</context>
+<context>
+ <name>goniolux::gui::ValuesModel</name>
+ <message><source>not counted</source><translation>nicht gezählt</translation></message>
+ <message><source>Value</source><translation>Wert</translation></message>
+ <message><source>Half-width</source><translation>Halbbreite</translation></message>
+</context>
+<context>
+ <name>goniolux::gui::GlCanvas</name>
+ <message><source>The 3-D view needs OpenGL 3.2, which this display does not offer; everything else works.</source><translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet; alles andere geht.</translation></message>
+</context>
+<context>
+ <name>goniolux::gui::Paper</name>
+ <message><source>Double click: large, in a window of its own</source><translation>Doppelklick: groß, in einem eigenen Fenster</translation></message>
+</context>
+<context>
+ <name>format</name>
+ <message><source>accuracy</source><translation>Genauigkeit</translation></message>
+ <message><source>adaptive</source><translation>anpassend</translation></message>
+ <message><source>aim</source><translation>Ausstrahlrichtung</translation></message>
+ <message><source>ambient</source><translation>Umgebung</translation></message>
+ <message><source>area</source><translation>Fläche</translation></message>
+ <message><source>array</source><translation>Anordnung</translation></message>
+ <message><source>as printed</source><translation>wie gedruckt</translation></message>
+ <message><source>attenuation per</source><translation>Schwächung je</translation></message>
+ <message><source>axis</source><translation>Achse</translation></message>
+ <message><source>base</source><translation>Fuß</translation></message>
+ <message><source>basis</source><translation>Basis</translation></message>
+ <message><source>border</source><translation>Rand</translation></message>
+ <message><source>bump</source><translation>Relief</translation></message>
+ <message><source>c0</source><translation>C0-Richtung</translation></message>
+ <message><source>calibrated</source><translation>kalibriert</translation></message>
+ <message><source>caps</source><translation>Deckel</translation></message>
+ <message><source>center</source><translation>Mitte</translation></message>
+ <message><source>chord error</source><translation>Sehnenfehler</translation></message>
+ <message><source>colour de</source><translation>Farbabstand</translation></message>
+ <message><source>confidence</source><translation>Vertrauen</translation></message>
+ <message><source>constant</source><translation>konstant</translation></message>
+ <message><source>contrast</source><translation>Kontrast</translation></message>
+ <message><source>control</source><translation>Stützpunkte</translation></message>
+ <message><source>counts</source><translation>Anzahlen</translation></message>
+ <message><source>curve</source><translation>Kurve</translation></message>
+ <message><source>cutoff</source><translation>Abbruch</translation></message>
+ <message><source>degree u</source><translation>Grad u</translation></message>
+ <message><source>degree v</source><translation>Grad v</translation></message>
+ <message><source>degrees</source><translation>Grad</translation></message>
+ <message><source>depth</source><translation>Tiefe</translation></message>
+ <message><source>detail</source><translation>Einzelheiten</translation></message>
+ <message><source>diameter</source><translation>Durchmesser</translation></message>
+ <message><source>diffuse</source><translation>diffus</translation></message>
+ <message><source>dimming</source><translation>Dimmung</translation></message>
+ <message><source>direction</source><translation>Richtung</translation></message>
+ <message><source>exitance lm m2</source><translation>spezifische Lichtausstrahlung</translation></message>
+ <message><source>exitance</source><translation>spezifische Lichtausstrahlung</translation></message>
+ <message><source>eye</source><translation>Auge</translation></message>
+ <message><source>faces</source><translation>Flächen</translation></message>
+ <message><source>facing</source><translation>zeigt nach</translation></message>
+ <message><source>file</source><translation>Datei</translation></message>
+ <message><source>filter</source><translation>Filter</translation></message>
+ <message><source>flux</source><translation>Lichtstrom</translation></message>
+ <message><source>format</source><translation>Format</translation></message>
+ <message><source>fov</source><translation>Bildwinkel</translation></message>
+ <message><source>gloss</source><translation>Glanz</translation></message>
+ <message><source>grid</source><translation>Raster</translation></message>
+ <message><source>grids</source><translation>Raster</translation></message>
+ <message><source>group</source><translation>Gruppe</translation></message>
+ <message><source>groups</source><translation>Gruppen</translation></message>
+ <message><source>height</source><translation>Höhe</translation></message>
+ <message><source>holes</source><translation>Löcher</translation></message>
+ <message><source>image</source><translation>Bild</translation></message>
+ <message><source>ior</source><translation>Brechzahl</translation></message>
+ <message><source>joint</source><translation>Fuge</translation></message>
+ <message><source>k</source><translation>k</translation></message>
+ <message><source>lamp flux</source><translation>Lampenlichtstrom</translation></message>
+ <message><source>luminaires</source><translation>Leuchten</translation></message>
+ <message><source>maintenance</source><translation>Wartungsfaktor</translation></message>
+ <message><source>mapping</source><translation>Abbildung</translation></message>
+ <message><source>material</source><translation>Material</translation></message>
+ <message><source>materials</source><translation>Materialien</translation></message>
+ <message><source>max depth</source><translation>größte Tiefe</translation></message>
+ <message><source>max</source><translation>Maximum</translation></message>
+ <message><source>max samples</source><translation>größte Strahlenzahl</translation></message>
+ <message><source>mean</source><translation>Mittelwert</translation></message>
+ <message><source>min samples</source><translation>kleinste Strahlenzahl</translation></message>
+ <message><source>min</source><translation>Minimum</translation></message>
+ <message><source>model</source><translation>Modell</translation></message>
+ <message><source>name</source><translation>Name</translation></message>
+ <message><source>normal</source><translation>Normale</translation></message>
+ <message><source>normals</source><translation>Normalen</translation></message>
+ <message><source>objects</source><translation>Objekte</translation></message>
+ <message><source>observer</source><translation>Beobachter</translation></message>
+ <message><source>observers</source><translation>Beobachter</translation></message>
+ <message><source>origin</source><translation>Ursprung</translation></message>
+ <message><source>patch rows</source><translation>Fleckenreihen</translation></message>
+ <message><source>pattern</source><translation>Muster</translation></message>
+ <message><source>photometry</source><translation>Lichtverteilung</translation></message>
+ <message><source>pixel</source><translation>Bildpunkt</translation></message>
+ <message><source>points</source><translation>Punkte</translation></message>
+ <message><source>position</source><translation>Ort</translation></message>
+ <message><source>preset</source><translation>Voreinstellung</translation></message>
+ <message><source>profile</source><translation>Profil</translation></message>
+ <message><source>projection</source><translation>Projektion</translation></message>
+ <message><source>quantity</source><translation>Größe</translation></message>
+ <message><source>ra</source><translation>Ra</translation></message>
+ <message><source>radius</source><translation>Radius</translation></message>
+ <message><source>reflectance</source><translation>Reflexionsgrad</translation></message>
+ <message><source>reflection model</source><translation>Reflexionsmodell</translation></message>
+ <message><source>repeats</source><translation>Wiederholungen</translation></message>
+ <message><source>requirements</source><translation>Anforderungen</translation></message>
+ <message><source>ring radius</source><translation>Ringradius</translation></message>
+ <message><source>rms slope</source><translation>mittlere Neigung</translation></message>
+ <message><source>rotate</source><translation>Drehung</translation></message>
+ <message><source>rotation</source><translation>Drehung</translation></message>
+ <message><source>roughness</source><translation>Rauheit</translation></message>
+ <message><source>samples</source><translation>Stützstellen</translation></message>
+ <message><source>scale</source><translation>Maßstab</translation></message>
+ <message><source>scenes</source><translation>Lichtszenen</translation></message>
+ <message><source>scheme</source><translation>Verfahren</translation></message>
+ <message><source>seed</source><translation>Startzahl</translation></message>
+ <message><source>settings</source><translation>Einstellungen</translation></message>
+ <message><source>shape</source><translation>Form</translation></message>
+ <message><source>share</source><translation>Anteil</translation></message>
+ <message><source>shear</source><translation>Scherung</translation></message>
+ <message><source>shift</source><translation>Verschiebung</translation></message>
+ <message><source>size</source><translation>Größe</translation></message>
+ <message><source>smooth</source><translation>geglättet</translation></message>
+ <message><source>solver</source><translation>Löser</translation></message>
+ <message><source>spacing</source><translation>Abstand</translation></message>
+ <message><source>span</source><translation>Spannweite</translation></message>
+ <message><source>spectral</source><translation>spektral</translation></message>
+ <message><source>spectrum</source><translation>Spektrum</translation></message>
+ <message><source>specular</source><translation>gerichtet</translation></message>
+ <message><source>stagger</source><translation>Versatz</translation></message>
+ <message><source>target</source><translation>Ziel</translation></message>
+ <message><source>texture</source><translation>Textur</translation></message>
+ <message><source>thickness</source><translation>Dicke</translation></message>
+ <message><source>tilt</source><translation>Neigung</translation></message>
+ <message><source>time limit</source><translation>Zeitgrenze</translation></message>
+ <message><source>top radius</source><translation>oberer Radius</translation></message>
+ <message><source>top</source><translation>Oberseite</translation></message>
+ <message><source>transform</source><translation>Transformation</translation></message>
+ <message><source>translate</source><translation>Verschiebung</translation></message>
+ <message><source>transmission</source><translation>Transmissionsgrad</translation></message>
+ <message><source>transmittance per</source><translation>Transmissionsgrad je</translation></message>
+ <message><source>tree</source><translation>Strahlenbaum</translation></message>
+ <message><source>tube radius</source><translation>Rohrradius</translation></message>
+ <message><source>turn</source><translation>Achsdrehung</translation></message>
+ <message><source>u0</source><translation>U0</translation></message>
+ <message><source>u</source><translation>u</translation></message>
+ <message><source>ud</source><translation>Ud</translation></message>
+ <message><source>ugr</source><translation>UGR</translation></message>
+ <message><source>units</source><translation>Einheit</translation></message>
+ <message><source>up</source><translation>oben</translation></message>
+ <message><source>v</source><translation>v</translation></message>
+ <message><source>version</source><translation>Version</translation></message>
+ <message><source>vertices</source><translation>Ecken</translation></message>
+ <message><source>views</source><translation>Ansichten</translation></message>
+ <message><source>width</source><translation>Breite</translation></message>
+ <message><source>with</source><translation>mit</translation></message>
+ <message><source>x</source><translation>x</translation></message>
+ <message><source>a luminaire</source><translation>eine Leuchte</translation></message>
+ <message><source>a grid</source><translation>ein Raster</translation></message>
+ <message><source>a material</source><translation>ein Material</translation></message>
+ <message><source>a view</source><translation>eine Ansicht</translation></message>
+ <message><source>an observer</source><translation>ein Beobachter</translation></message>
+ <message><source>a requirement</source><translation>eine Anforderung</translation></message>
+ <message><source>a scene</source><translation>eine Lichtszene</translation></message>
+ <message><source>the project</source><translation>das Projekt</translation></message>
+ <message><source>a box</source><translation>ein Quader</translation></message>
+ <message><source>a sphere</source><translation>eine Kugel</translation></message>
+ <message><source>a cylinder</source><translation>ein Zylinder</translation></message>
+ <message><source>a disc</source><translation>eine Scheibe</translation></message>
+ <message><source>a rectangle</source><translation>ein Rechteck</translation></message>
+ <message><source>an object</source><translation>ein Objekt</translation></message>
+ <message><source>a group</source><translation>eine Gruppe</translation></message>
+ <message><source>xx</source><translation>xx</translation></message>
+ <message><source>yy</source><translation>yy</translation></message>
+ <message><source>zz</source><translation>zz</translation></message>
+ <message><source>xy</source><translation>xy</translation></message>
+ <message><source>xz</source><translation>xz</translation></message>
+ <message><source>y</source><translation>y</translation></message>
+ <message><source>yx</source><translation>yx</translation></message>
+ <message><source>yz</source><translation>yz</translation></message>
+ <message><source>z</source><translation>z</translation></message>
+ <message><source>zx</source><translation>zx</translation></message>
+ <message><source>zy</source><translation>zy</translation></message>
 </context>
 </TS>

@@ -39,23 +39,16 @@ std::optional<Measured> colourTemperatureOf(const PatchReading& reading, double 
   return result;
 }
 
-}  // namespace
-
-PatchReading readPatch(const XyzImage& image, int column, int row, double radius) {
-  assert(column >= 0 && column < image.width && row >= 0 && row < image.height && radius >= 0);
+/// What is read of pixels, by their numbers; those that hold no numbers are counted only.
+PatchReading readPixels(const XyzImage& image, const std::vector<std::size_t>& all) {
   std::vector<std::size_t> pixels;
   PatchReading reading;
-  const auto reach = static_cast<int>(std::min(radius, 1e6));
-  for (int y = std::max(0, row - reach); y <= std::min(image.height - 1, row + reach); ++y)
-    for (int x = std::max(0, column - reach); x <= std::min(image.width - 1, column + reach); ++x) {
-      if (std::hypot(x - column, y - row) > radius) continue;
-      const std::size_t i =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-      if (std::isfinite(image.x[i] + image.y[i] + image.z[i]))
-        pixels.push_back(i);
-      else
-        ++reading.invalid;
-    }
+  for (const std::size_t i : all) {
+    if (std::isfinite(image.x[i] + image.y[i] + image.z[i]))
+      pixels.push_back(i);
+    else
+      ++reading.invalid;
+  }
   reading.pixels = pixels.size();
   if (pixels.empty()) {
     reading.luminance = reading.x = reading.y = {unknown, unknown};
@@ -117,6 +110,42 @@ PatchReading readPatch(const XyzImage& image, int column, int row, double radius
     reading.spectrum.emplace_back(channel.wavelength_nm, sum / n);
   }
   return reading;
+}
+
+std::size_t numberOf(const XyzImage& image, int column, int row) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column);
+}
+
+}  // namespace
+
+PatchReading readPatch(const XyzImage& image, int column, int row, double radius) {
+  assert(column >= 0 && column < image.width && row >= 0 && row < image.height && radius >= 0);
+  std::vector<std::size_t> pixels;
+  const auto reach = static_cast<int>(std::min(radius, 1e6));
+  for (int y = std::max(0, row - reach); y <= std::min(image.height - 1, row + reach); ++y)
+    for (int x = std::max(0, column - reach); x <= std::min(image.width - 1, column + reach); ++x)
+      if (std::hypot(x - column, y - row) <= radius) pixels.push_back(numberOf(image, x, y));
+  return readPixels(image, pixels);
+}
+
+PatchReading readPolygon(const XyzImage& image, const std::vector<core::Vec2>& corners) {
+  std::vector<std::size_t> pixels;
+  std::vector<double> crossings;
+  for (int row = 0; row < image.height; ++row) {
+    // Where the row's middle line crosses the edges: between the first and the second lies the inside, and so on.
+    const double y = row + 0.5;
+    crossings.clear();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const core::Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+      if ((a.y <= y) != (b.y <= y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+      for (int column = 0; column < image.width; ++column)
+        if (column + 0.5 >= crossings[k] && column + 0.5 < crossings[k + 1])
+          pixels.push_back(numberOf(image, column, row));
+  }
+  return readPixels(image, pixels);
 }
 
 }  // namespace goniolux::image

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/vector.h"
 #include "image/xyz_image.h"
 
 namespace goniolux::image {
@@ -34,5 +35,10 @@ struct PatchReading {
 /// The half-widths of x and y are statistical: errors of X, Y and Z go together, so that a chromaticity is known far
 /// better than its tristimulus values apart. That of the colour temperature is the largest change within them.
 PatchReading readPatch(const XyzImage& image, int column, int row, double radius);
+
+/// The pixels whose centres lie inside a polygon; its corners in pixels from the upper left corner of the image, x to
+/// the right, y down, so that the centre of pixel (column, row) is (column + 0.5, row + 0.5). Of edges that cross, what
+/// an odd number of them encloses counts. Nothing (0 pixels) where it holds no centre.
+PatchReading readPolygon(const XyzImage& image, const std::vector<core::Vec2>& corners);
 
 }  // namespace goniolux::image

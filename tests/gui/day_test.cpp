@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QStandardPaths>
 #include <QTabWidget>
-#include <QTreeWidget>
+#include <QTableView>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,10 @@ class DesignersDay : public StudioFixture {
     dialog.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
     QTest::qWait(100);
-    saveScreenshot(dialog.grab(), "day-1-new-room");
+    {
+      const Watchdog::Blindfold blindfold(watchdog_.get());
+      saveScreenshot(dialog.grab(), "day-1-new-room");
+    }
     window_->newRoom(dialog.request());
     dialog.close();
     ASSERT_TRUE(wait([this] { return window_->document().isOpen(); }));
@@ -80,14 +83,28 @@ class DesignersDay : public StudioFixture {
     QTest::keyClick(line, Qt::Key_Return);
   }
 
-  /// The longest time for which the interface did not answer since the last step; the worst is kept.
+  /// What the interface's thread did since the last step: its longest pause by the clock, taken apart, and the most
+  /// that it computed in one go. The worst of the day are kept.
   void step(const char* name) {
-    std::printf("  %-28s interface away for %4.0f ms at most\n", name, watchdog_->longest());
-    worst_ = std::max(worst_, watchdog_->longest());
+    const Pause longest = watchdog_->longest(), busiest = watchdog_->busiest();
+    std::printf(
+        "  %-24s longest pause %4.0f ms (computing %3.0f, without a processor %3.0f, waiting %3.0f); most computed in "
+        "one go %3.0f ms\n",
+        name, longest.clock, longest.cpu, longest.starved, longest.asleep(), busiest.cpu);
+    std::fflush(stdout);
+    worstClock_ = std::max(worstClock_, longest.clock);
+    if (busiest.cpu > worstCpu_ && name != std::string("new room") && name != std::string("dark theme"))
+      worstCpu_ = busiest.cpu, worstStep_ = name;
     watchdog_->forget();
   }
-  std::unique_ptr<Watchdog> watchdog_;
-  double worst_ = 0;
+  double worstClock_ = 0, worstCpu_ = 0;
+  std::string worstStep_;
+
+  /// An edit as one of the interface: it answers before the next.
+  void set(const std::string& pointer, const Value& value, const QString& words) {
+    window_->document().set(pointer, value, words);
+    QTest::qWait(1);
+  }
 
   void calculate() {
     ASSERT_TRUE(wait([this] { return !window_->jobs().isBusy(); }));
@@ -154,20 +171,18 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   step("materials and spectra");
 
   // Calculated to 2 %, with verdicts on uniformity and glare.
-  document.set("/settings/accuracy/grid", "2 %", "accuracy");
+  set("/settings/accuracy/grid", "2 %", "accuracy");
   document.append("/observers",
                   Value::Object{{"name", "desk"},
                                 {"eye", Value::Array{0.6, 2, 1.2}},
                                 {"direction", Value::Array{1, 0, 0}},
                                 {"quantity", "ugr"}},
                   "observer");
-  document.set(
-      "/requirements/0",
+  set("/requirements/0",
       Value::Object{
           {"grid", "work plane"}, {"mean_lx", Value::Object{{"min", 300}}}, {"u0", Value::Object{{"min", 0.4}}}},
       "requirement");
-  document.set("/requirements/1", Value::Object{{"observer", "desk"}, {"ugr", Value::Object{{"max", 19}}}},
-               "requirement");
+  set("/requirements/1", Value::Object{{"observer", "desk"}, {"ugr", Value::Object{{"max", 19}}}}, "requirement");
   ASSERT_TRUE(waitForCheck());
   ASSERT_TRUE(window_->checker().latest()->project);
   window_->pages().setCurrentIndex(0);
@@ -198,7 +213,7 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   screenshot("day-6-illuminance");
   auto* charts = window_->planPage().findChild<QTabWidget*>("charts");
   charts->setCurrentIndex(2);
-  EXPECT_EQ(window_->planPage().findChild<QTreeWidget*>("values")->topLevelItemCount(),
+  EXPECT_EQ(window_->planPage().findChild<QTableView*>("values")->model()->rowCount(),
             static_cast<int>(window_->currentResults()->grids[0].points.size()));
   charts->setCurrentIndex(1);
   ASSERT_TRUE(wait([this] { return window_->planPage().histogram().isDrawn(); }));
@@ -225,20 +240,23 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   EXPECT_EQ(window_->currentResults(), nullptr) << "results of another state of the project are not current";
   ASSERT_TRUE(waitForCheck());
   screenshot("day-7-moved");
-  document.set("/settings/accuracy/grid", "10 %", "accuracy");  // the tests' time is not the designer's
+  set("/settings/accuracy/grid", "10 %", "accuracy");  // the tests' time is not the designer's
   step("moved by mouse");
   calculate();
   EXPECT_NE(window_->currentResults()->grids[0].mean.value, before);
-  for (int k = 0; k < 2; ++k) document.undoStack().undo();
+  for (int k = 0; k < 2; ++k) {
+    document.undoStack().undo();
+    QTest::qWait(1);
+  }
   EXPECT_EQ(number("/luminaires/0/position/0"), x);
   EXPECT_EQ(number("/luminaires/0/position/1"), y);
   step("calculated again, undone");
 
   // A picture, and a pixel of it.
-  document.set("/settings/accuracy/grid", "10 %", "accuracy");
-  document.set("/views/0/width", 200, "size");
-  document.set("/views/0/height", 150, "size");
-  document.set("/settings/accuracy/image", "30 %", "accuracy");
+  set("/settings/accuracy/grid", "10 %", "accuracy");
+  set("/views/0/width", 200, "size");
+  set("/views/0/height", 150, "size");
+  set("/settings/accuracy/image", "30 %", "accuracy");
   ASSERT_TRUE(waitForCheck());
   ASSERT_TRUE(waitForJobs());
   ASSERT_NE(window_->render("corner"), nullptr);
@@ -247,10 +265,13 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   ASSERT_TRUE(wait([&] { return !page.canvas().picture().isNull(); }));
   QTest::qWait(300);
   QTest::mouseClick(&page.canvas(), Qt::LeftButton, Qt::NoModifier, page.canvas().toWidget({100, 100}));
-  const image::XyzImage written = image::readImage(page.outcome().file);
-  const auto reading = image::readPatch(written, 100, 100, 0);
-  EXPECT_GT(reading.luminance.value, 0);
-  EXPECT_EQ(page.outcome().image->y, written.y) << "what is shown is what is written";
+  {
+    const Watchdog::Blindfold blindfold(watchdog_.get());
+    const image::XyzImage written = image::readImage(page.outcome().file);
+    const auto reading = image::readPatch(written, 100, 100, 0);
+    EXPECT_GT(reading.luminance.value, 0);
+    EXPECT_EQ(page.outcome().image->y, written.y) << "what is shown is what is written";
+  }
   EXPECT_TRUE(page.findChild<QLabel*>("meter")->text().contains("cd/m²"));
   screenshot("day-8-picture");
   step("rendered, probed");
@@ -278,15 +299,20 @@ TEST_F(DesignersDay, FromANewRoomToASavedAndReopenedProject) {
   calculate();
   EXPECT_EQ(window_->currentResults()->grids[0].values, last->grids[0].values) << "the same numbers to the last digit";
   step("opened again");
-  std::printf("longest pause of the interface in the whole day: %.0f ms\n", worst_);
-  watchdog_.reset();
   window_->setTheme("dark");
   QTest::qWait(600);
   screenshot("day-9-dark");
+  step("dark theme");
+  watchdog_.reset();
   window_->setTheme("light");
-  // The goal is 100 ms on a machine of its own; tests share theirs, and pauses of seconds were seen where ten programs
-  // wanted two processors. What hangs takes longer.
-  EXPECT_LT(worst_, 15000);
+  std::printf("the whole day: longest pause by the clock %.0f ms, most computed in one go %.0f ms (%s)\n", worstClock_,
+              worstCpu_, worstStep_.c_str());
+  // 100 ms hold for what the interface's thread computes itself, but for the very first picture of the 3-D view, which
+  // loads the graphics driver, and for another theme, which styles every widget anew: 169 and 168 ms were measured. By
+  // the clock a machine that is shared lets it wait for its turn: pauses of seconds were seen where ten programs wanted
+  // two processors; what hangs takes longer.
+  EXPECT_LE(worstCpu_, 100);
+  EXPECT_LT(worstClock_, 15000);
 }
 
 }  // namespace

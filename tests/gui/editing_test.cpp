@@ -13,7 +13,6 @@
 #include "app/gui/window/project_tree.h"
 #include "app/gui/window/room_page.h"
 #include "gui/studio_fixture.h"
-#include "gui/watchdog.h"
 
 namespace goniolux::test {
 namespace {
@@ -236,21 +235,25 @@ TEST_F(Editing, TheInterfaceAnswersWhileItCalculates) {
   Watchdog watchdog;
   ASSERT_NE(window_->calculate(), nullptr);
   ASSERT_TRUE(waitForJobs(100000));
-  const double calculating = watchdog.longest();
+  const Pause calculating = watchdog.longest();
+  const double calculatingCpu = watchdog.busiest().cpu;
   watchdog.forget();
   for (int k = 0; k < 10; ++k) {
     window_->document().set("/luminaires/0/flux", 3000 + k, "flux");
     QTest::qWait(60);
   }
   ASSERT_TRUE(waitForCheck());
-  const double editing = watchdog.longest();
-  RecordProperty("longest_ms_calculating", std::to_string(calculating));
-  RecordProperty("longest_ms_editing", std::to_string(editing));
-  std::printf("longest pause of the interface: %.0f ms calculating, %.0f ms editing\n", calculating, editing);
-  // The goal is 100 ms on a machine of its own; tests share theirs, and a busy one gives no process its turn for
-  // longer.
-  EXPECT_LT(calculating, 400);
-  EXPECT_LT(editing, 400);
+  const Pause editing = watchdog.longest();
+  const double editingCpu = watchdog.busiest().cpu;
+  std::printf(
+      "longest pause of the interface: %.0f ms calculating, %.0f ms editing; most computed in one go %.0f and "
+      "%.0f ms\n",
+      calculating.clock, editing.clock, calculatingCpu, editingCpu);
+  // By the clock other programs count, too: a busy machine gives no process its turn for longer.
+  EXPECT_LE(calculatingCpu, 100);
+  EXPECT_LE(editingCpu, 100);
+  EXPECT_LT(calculating.clock, 3000);
+  EXPECT_LT(editing.clock, 3000);
 }
 
 }  // namespace

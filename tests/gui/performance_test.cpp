@@ -1,7 +1,14 @@
 // How fast the interface is: its start, and the 3-D view of a large project with software OpenGL. The goals (window
 // within 1 s, 20 pictures a second, no pause above 100 ms) hold on a machine of its own; tests share theirs, so that
 // they fail only far beyond, and print the figures.
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <QElapsedTimer>
 #include <QProcess>
 
@@ -10,7 +17,6 @@
 #include "app/gui/room/room_view.h"
 #include "core/parallel.h"
 #include "gui/studio_fixture.h"
-#include "gui/watchdog.h"
 
 namespace goniolux::test {
 namespace {
@@ -53,6 +59,71 @@ TEST_F(Performance, TheWindowAppearsSoon) {
   std::sort(times.begin(), times.end());
   std::printf("window after %.0f ms (best %.0f ms of 3)\n", times[1], times[0]);
   EXPECT_LT(times[0], 3000);
+}
+
+// Not part of the tests: takes the picture apart, for docs/studio/drawing.md.
+// test_gui --gtest_also_run_disabled_tests --gtest_filter='Performance.DISABLED_*'
+TEST_F(Performance, DISABLED_WhereTheTimeOfAPictureGoes) {
+  ASSERT_TRUE(window_->openProject(largeProject()));
+  ASSERT_TRUE(waitForCheck());
+  const auto scene = window_->checker().latest()->scene;
+  ASSERT_NE(scene, nullptr);
+  gui::RoomView view;
+  view.resize(1280, 800);
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  view.showScene(scene, true);
+  ASSERT_TRUE(wait([&] { return view.isDrawn(); }));
+  const auto mouse = [&](QEvent::Type type, const QPoint& at) {
+    QMouseEvent event(type, at, type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  };
+  mouse(QEvent::MouseButtonPress, QPoint(600, 790));
+  const auto measure = [&](const char* what, bool composed) {
+    const auto turn = [&](int count) {
+      for (int k = 0; k < count; ++k) {
+        mouse(QEvent::MouseMove, QPoint(600 + 4 * k, 790));
+        view.drawNow();
+        if (composed) view.repaint();
+      }
+      view.renderWindow()->WaitForCompletion();
+    };
+    turn(3);
+    const double before = core::processCpuSeconds();
+    turn(30);
+    std::printf("  %-52s %5.1f ms of CPU time a picture\n", what, 1e3 * (core::processCpuSeconds() - before) / 30);
+    std::fflush(stdout);
+  };
+  measure("everything, in the window", true);
+  measure("everything, without the window's composition", false);
+  auto* actors = view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetActors();
+  // In the order of RoomView::plainActors(), then what is drawn in pieces.
+  const std::pair<int, const char*> parts[] = {
+      {3, "and without aiming lines"}, {2, "and without frames of luminaires"}, {1, "and without their openings"}};
+  const auto empty = [&](int index) {
+    auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(index));
+    vtkNew<vtkPolyData> nothing;
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(nothing);
+  };
+  for (const auto& [index, what] : parts) {
+    empty(index);
+    measure(what, false);
+  }
+  for (int k = actors->GetNumberOfItems() - 1; k > 8; --k) {
+    auto* data =
+        vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(actors->GetItemAsObject(k))->GetMapper())->GetInput();
+    const bool isLines = data->GetNumberOfPolys() == 0;
+    if (isLines) empty(k);
+  }
+  measure("and without edges", false);
+  for (int k = actors->GetNumberOfItems() - 1; k > 8; --k) empty(k);
+  measure("and without objects", false);
+  empty(0);
+  measure("and without the room", false);
+  view.renderWindow()->GetRenderers()->GetFirstRenderer()->GradientBackgroundOff();
+  measure("and with one colour behind", false);
+  measure("the same in the window", true);
 }
 
 TEST_F(Performance, ALargeProjectTurnsSmoothly) {
@@ -99,7 +170,8 @@ TEST_F(Performance, ALargeProjectTurnsSmoothly) {
     mouse(QEvent::MouseMove, QPoint(500 + 5 * k, 600));
     QTest::qWait(20);
   }
-  const double turning = watchdog.longest();
+  const Pause turning = watchdog.longest();
+  const double turningCpu = watchdog.busiest().cpu;
   watchdog.forget();
   QElapsedTimer clock;
   clock.start();
@@ -107,12 +179,22 @@ TEST_F(Performance, ALargeProjectTurnsSmoothly) {
   ASSERT_TRUE(wait([&] { return view.isDrawn(); }));
   std::printf(
       "turning at 1280 x 800: %.1f pictures a second; %.1f ms of CPU time each (all threads), %.1f a second if "
-      "that were all\n"
-      "longest pause: %.0f ms turning, %.0f ms while the details come in, which takes %.0f ms\n",
-      1 / wall, 1e3 * cpu, 1 / cpu, turning, watchdog.longest(), static_cast<double>(clock.elapsed()));
+      "that were all\n",
+      1 / wall, 1e3 * cpu, 1 / cpu);
+  const auto say = [](const char* when, const Pause& pause, double busiest) {
+    std::printf(
+        "longest pause %s: %.0f ms (computing %.0f, without a processor %.0f, waiting %.0f); most computed in "
+        "one go %.0f ms\n",
+        when, pause.clock, pause.cpu, pause.starved, pause.asleep(), busiest);
+  };
+  say("turning", turning, turningCpu);
+  say("while the details come in", watchdog.longest(), watchdog.busiest().cpu);
+  std::printf("all details are there after %.0f ms\n", static_cast<double>(clock.elapsed()));
   EXPECT_GT(1 / cpu, 8) << "CPU time counts, so that other programs do not; 20 is the goal, and tests may share caches";
-  EXPECT_LT(turning, 600);
-  EXPECT_LT(watchdog.longest(), 600);
+  EXPECT_LE(turningCpu, 100);
+  EXPECT_LE(watchdog.busiest().cpu, 100);
+  EXPECT_LT(turning.clock, 3000) << "by the clock, on a machine that is shared";
+  EXPECT_LT(watchdog.longest().clock, 3000);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "app/gui/window/main_window.h"
+#include "gui/watchdog.h"
 
 namespace goniolux::test {
 
@@ -33,6 +34,7 @@ class StudioFixture : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   }
   void TearDown() override {
+    watchdog_.reset();
     if (window_) window_->closeWithoutAsking();
     window_.reset();
   }
@@ -73,6 +75,7 @@ class StudioFixture : public testing::Test {
   /// GONIOLUX_UPDATE_PAGES is set).
   void screenshot(const QString& name) {
     QTest::qWait(150);
+    const Watchdog::Blindfold blindfold(watchdog_.get());
     saveScreenshot(window_->grab(), name);
   }
   static void saveScreenshot(const QPixmap& picture, const QString& name) {
@@ -88,6 +91,7 @@ class StudioFixture : public testing::Test {
 
   QTemporaryDir folder_;
   std::unique_ptr<gui::MainWindow> window_;
+  std::unique_ptr<Watchdog> watchdog_;  ///< of tests that have one
 };
 
 }  // namespace goniolux::test

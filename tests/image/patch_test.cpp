@@ -103,5 +103,24 @@ TEST(Comparison, FiguresAreThoseOfTheDefinition) {
   EXPECT_EQ(apart.y[4], 0);
 }
 
+TEST(Patch, PolygonHoldsThePixelsWhoseCentresLieInsideIt) {
+  XyzImage image;
+  image.width = 8;
+  image.height = 6;
+  for (std::vector<float>* channel : {&image.x, &image.y, &image.z}) channel->resize(48);
+  for (std::size_t i = 0; i < 48; ++i) image.y[i] = static_cast<float>(i % 8);
+  // Columns 2 to 4, rows 1 and 2.
+  const PatchReading box = readPolygon(image, {{2, 1}, {5, 1}, {5, 3}, {2, 3}});
+  EXPECT_EQ(box.pixels, 6u);
+  EXPECT_DOUBLE_EQ(box.luminance.value, 3);
+  EXPECT_EQ(box.least, 2);
+  EXPECT_EQ(box.most, 4);
+  EXPECT_EQ(readPolygon(image, {{5, 3}, {2, 3}, {2, 1}, {5, 1}}).pixels, 6u) << "either way round, from any corner";
+  EXPECT_EQ(readPolygon(image, {{0, 0}, {6, 0}, {0, 6}}).pixels, 15u) << "half a square, without its diagonal";
+  EXPECT_EQ(readPolygon(image, {{-5, -5}, {50, -5}, {50, 50}, {-5, 50}}).pixels, 48u) << "the image's own at most";
+  EXPECT_EQ(readPolygon(image, {{2.1, 2.1}, {2.4, 2.1}, {2.4, 2.4}}).pixels, 0u);
+  EXPECT_EQ(readPolygon(image, {}).pixels, 0u);
+}
+
 }  // namespace
 }  // namespace goniolux::image

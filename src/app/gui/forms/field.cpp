@@ -52,7 +52,7 @@ Field::Field(const project::Key& key, const QStringList& suggestions, QWidget* p
 
 void Field::buildChoice() {
   choice_ = new QComboBox(this);
-  choice_->setAccessibleName(QString::fromStdString(labelOf(key_.name)));
+  choice_->setAccessibleName(translatedLabelOf(key_.name));
   if (!key_.required) {
     const QString standard = defaultIn(key_.help);
     choice_->addItem(standard.isEmpty() ? tr("as usual") : tr("%1 (as usual)").arg(standard), QString());
@@ -81,7 +81,7 @@ void Field::buildLines(const QStringList& suggestions) {
   for (int i = 0; i < parts; ++i) {
     auto* line = new QLineEdit(this);
     line->setObjectName(QString::fromStdString(key_.name) + (parts > 1 ? QString(" %1").arg(i) : QString()));
-    line->setAccessibleName(QString::fromStdString(labelOf(key_.name)));
+    line->setAccessibleName(translatedLabelOf(key_.name));
     line->setMinimumWidth(parts > 1 ? 44 : 80);
     if (parts == 1) line->setPlaceholderText(defaultIn(key_.help));
     if (parts == 3) line->setPlaceholderText(QString("xyz").mid(i, 1));

@@ -88,7 +88,7 @@ void PropertyPanel::build() {
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(12, 12, 12, 12);
   layout->setSpacing(10);
-  const auto section = pointers_.empty() ? nullptr : sectionAt(document_.root(), pointers_.front());
+  const auto section = commonSection();
   if (section) {
     const Value* name = document_.find(under(pointers_.front(), "name"));
     QString title = name != nullptr && name->isString() ? QString::fromStdString(name->string())
@@ -102,13 +102,35 @@ void PropertyPanel::build() {
     addSection(*section, "", layout);
   } else {
     auto* hint = new QLabel(pointers_.empty() ? tr("Select something in the project or in the 3-D view.")
-                                              : tr("This entry is edited in the text of the project."));
+                            : pointers_.size() == 1
+                                ? tr("This entry is edited in the text of the project.")
+                                : tr("%n entries of several kinds: they are moved, turned, copied and removed "
+                                     "together. Select entries of one kind to edit their values.",
+                                     nullptr, static_cast<int>(pointers_.size())));
     hint->setWordWrap(true);
     hint->setEnabled(false);
     layout->addWidget(hint);
   }
   layout->addStretch(1);
   setWidget(page);
+}
+
+std::shared_ptr<const project::Section> PropertyPanel::commonSection() const {
+  if (pointers_.empty()) return nullptr;
+  const auto first = sectionAt(document_.root(), pointers_.front());
+  if (!first || pointers_.size() == 1) return first;
+  auto common = std::make_shared<project::Section>(*first);
+  for (const std::string& pointer : pointers_) {
+    if (parentOf(pointer) != parentOf(pointers_.front())) return nullptr;
+    const auto section = sectionAt(document_.root(), pointer);
+    if (!section) return nullptr;
+    // A box and a sphere share their material, not their corners.
+    std::erase_if(common->keys, [&](const project::Key& key) {
+      const project::Key* other = section->find(key.name);
+      return key.name == "name" || other == nullptr || other->form != key.form || other->section != key.section;
+    });
+  }
+  return common;
 }
 
 void PropertyPanel::addSection(const project::Section& section, const std::string& inside, QVBoxLayout* into) {
@@ -126,7 +148,7 @@ void PropertyPanel::addSection(const project::Section& section, const std::strin
     const Value* value = document_.find(pointers_.front() + place);
     if (key.form == Form::section && key.section != nullptr) {
       // Parts that are not there yet are offered closed; a first value makes them.
-      auto* group = new QGroupBox(QString::fromStdString(labelOf(key.name)));
+      auto* group = new QGroupBox(translatedLabelOf(key.name));
       group->setToolTip(QString::fromStdString(key.help));
       auto* inner = new QVBoxLayout(group);
       inner->setContentsMargins(10, 8, 10, 10);
@@ -143,7 +165,7 @@ void PropertyPanel::addSection(const project::Section& section, const std::strin
       continue;
     }
     auto* field = new Field(key, suggestionsFor(key));
-    QString label = QString::fromStdString(labelOf(key.name));
+    QString label = translatedLabelOf(key.name);
     const QString unit = QString::fromStdString(unitOf(key, projectUnits));
     if (!unit.isEmpty()) label += " / " + unit;
     auto* words = new QLabel(label);
@@ -185,7 +207,7 @@ void PropertyPanel::showProblems() {
 }
 
 void PropertyPanel::apply(const std::string& inside, const Field& field, const std::optional<Value>& value) {
-  const QString words = tr("Change %1").arg(QString::fromStdString(labelOf(field.key().name)));
+  const QString words = tr("Change %1").arg(translatedLabelOf(field.key().name));
   document_.edit(words, [&](project::ProjectText& text) {
     for (const std::string& pointer : pointers_) {
       if (value) {

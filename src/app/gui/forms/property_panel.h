@@ -1,5 +1,5 @@
 // PropertyPanel: the selected entry of the project as a form, made from the format's tables. Several entries of one
-// kind are edited together.
+// kind are edited together, by the keys that all of them have.
 #pragma once
 
 #include <QScrollArea>
@@ -28,6 +28,8 @@ class PropertyPanel final : public QScrollArea {
  private:
   void refresh();
   void build();
+  /// What all shown entries have: null where they are of several kinds, or of one without a form.
+  [[nodiscard]] std::shared_ptr<const project::Section> commonSection() const;
   void addSection(const project::Section& section, const std::string& inside, QVBoxLayout* into);
   void fill();
   void showProblems();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,6 +90,10 @@ std::string labelOf(const std::string& key) {
   return label;
 }
 
+QString translatedLabelOf(const std::string& key) {
+  return QCoreApplication::translate("format", labelOf(key).c_str());
+}
+
 std::string unitOf(const Key& key, const std::string& projectUnits) {
   if (!key.unit.empty()) return key.unit == "m" ? projectUnits : key.unit == "1" ? std::string() : key.unit;
   switch (key.form) {
@@ -103,7 +109,7 @@ std::string unitOf(const Key& key, const std::string& projectUnits) {
 }
 
 std::string explanationOf(const Key& key) {
-  std::string text = key.help;
+  std::string text = key.name + ": " + key.help;  // the key as the file names it, whatever the language
   const bool hasLow = std::isfinite(key.minimum), hasHigh = std::isfinite(key.maximum) && key.maximum < 1e15;
   if (hasLow && hasHigh) {
     text += fmt::format("; {} {:g} to {:g}", key.minimumIsAllowed ? "from" : "above", key.minimum, key.maximum);

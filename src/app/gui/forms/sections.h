@@ -2,6 +2,7 @@
 // the reader, so that they offer every key and no other.
 #pragma once
 
+#include <QString>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,8 @@ std::shared_ptr<const project::Section> sectionAt(const core::Value& root, const
 
 /// "maintenance factor" of "maintenance_factor".
 std::string labelOf(const std::string& key);
+/// The same in the language of the interface (context "format" of the translations).
+QString translatedLabelOf(const std::string& key);
 /// The unit that stands behind a field: the key's own, the project's for lengths, "" for plain numbers.
 std::string unitOf(const project::Key& key, const std::string& projectUnits);
 

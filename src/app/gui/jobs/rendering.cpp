@@ -23,7 +23,7 @@ const scene::View& viewNamed(const project::Project& project, const std::string&
 
 }  // namespace
 
-Job::Work renderWork(Source source, std::string viewName, std::string folder,
+Job::Work renderWork(Source source, std::string viewName, std::string folder, bool withSpectra,
                      std::function<void(RenderOutcome)> deliver) {
   return [=](JobProgress& progress) {
     const project::Project project = project::readProjectText(source.text, source.file);
@@ -37,7 +37,10 @@ Job::Work renderWork(Source source, std::string viewName, std::string folder,
       });
     };
     const double limit = project.settings.timeLimit_s.value_or(std::numeric_limits<double>::infinity());
-    const pipeline::RenderedView done = pipeline::renderToFile(project, engine, view, folder, limit, progress, partial);
+    pipeline::RenderOptions options;
+    if (withSpectra) options.channels = pipeline::spectralRangeFrom(spectralChannels);
+    const pipeline::RenderedView done =
+        pipeline::renderToFile(project, engine, view, folder, limit, progress, partial, options);
     auto image = std::make_shared<const image::XyzImage>(image::readImage(done.file));
     progress.publish([deliver, image, viewName, accuracy, done] {
       deliver({image, viewName, done.file, done.shareWithin, accuracy, true});

@@ -19,8 +19,12 @@ struct RenderOutcome {
   bool isFinal = false;
 };
 
-/// Renders a view into folder/NAME.exr; `deliver` gets the picture as it grows.
-Job::Work renderWork(Source source, std::string view, std::string folder, std::function<void(RenderOutcome)> deliver);
+/// The option --channels of `goniolux render` for pictures with spectra.
+inline constexpr const char* spectralChannels = "400:700:20";
+
+/// Renders a view into folder/NAME.exr, with spectra where they are wanted; `deliver` gets the picture as it grows.
+Job::Work renderWork(Source source, std::string view, std::string folder, bool withSpectra,
+                     std::function<void(RenderOutcome)> deliver);
 
 /// How an image is shown.
 struct DisplayChoice {

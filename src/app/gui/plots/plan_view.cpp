@@ -65,12 +65,17 @@ void PlanView::setGrid(const QString& name) {
 }
 
 void PlanView::setPalette(const std::string& palette) {
-  palette_ = palette;
+  scale_.palette = palette;
   wait_.start();
 }
 
 void PlanView::setBanded(bool banded) {
-  banded_ = banded;
+  scale_.banded = banded;
+  wait_.start();
+}
+
+void PlanView::setLevels(const std::vector<double>& levels) {
+  scale_.levels = levels;
   wait_.start();
 }
 
@@ -92,8 +97,9 @@ void PlanView::draw() {
   const double zoom =
       std::min({1.0, static_cast<double>(width()) / leastWidth, static_cast<double>(height()) / leastHeight});
   pipeline::MapOptions options;
-  options.palette = palette_;
-  options.banded = banded_;
+  options.palette = scale_.palette;
+  options.banded = scale_.banded;
+  options.levels = scale_.levels;
   options.width = static_cast<int>(width() / zoom);
   options.height = static_cast<int>(height() / zoom);
   worker_.run([this, outcome = outcome_, grid, options, zoom, dense = devicePixelRatioF()] {
@@ -207,31 +213,32 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
   Q_EMIT pointed(tr("point %1, %2 m: %3").arg(p.x, 0, 'f', 2).arg(p.y, 0, 'f', 2).arg(words));
 }
 
-QString PlanView::exportTo(const QString& file) const {
-  if (!drawn_) return tr("There is no plot yet; calculate first.");
-  const QMutexLocker lock(&drawingLock());
-  const plot::MapLayout& layout = drawn_->layout;
-  if (file.endsWith(".pdf", Qt::CaseInsensitive)) {
-    QPdfWriter writer(file);
-    writer.setPageMargins({0, 0, 0, 0});
-    constexpr double pointsPerPixel = 0.6;
-    writer.setPageSize(QPageSize(QSizeF(layout.width, layout.height) * pointsPerPixel, QPageSize::Point));
-    writer.setTitle(QString::fromStdString(drawn_->content.map.title));
-    QPainter painter;
-    if (!painter.begin(&writer)) return tr("%1 cannot be written; choose another folder.").arg(file);
-    painter.scale(static_cast<double>(writer.width()) / layout.width,
-                  static_cast<double>(writer.height()) / layout.height);
-    paintPage(painter, drawn_->content.map, layout);
-    return {};
-  }
-  QImage picture(layout.width * 2, layout.height * 2, QImage::Format_RGB32);
-  picture.fill(Qt::white);
-  QPainter painter(&picture);
-  painter.scale(2, 2);
-  paintPage(painter, drawn_->content.map, layout);
-  painter.end();
-  if (!picture.save(file)) return tr("%1 cannot be written; choose another folder or ending.").arg(file);
-  return {};
+std::function<void()> PlanView::exportOf(const QString& file) const {
+  if (!drawn_) return nullptr;
+  return [page = drawn_, file, cannot = tr("%1 cannot be written; choose another folder or ending.").arg(file)] {
+    const QMutexLocker lock(&drawingLock());
+    const plot::MapLayout& layout = page->layout;
+    if (file.endsWith(".pdf", Qt::CaseInsensitive)) {
+      QPdfWriter writer(file);
+      writer.setPageMargins({0, 0, 0, 0});
+      constexpr double pointsPerPixel = 0.6;
+      writer.setPageSize(QPageSize(QSizeF(layout.width, layout.height) * pointsPerPixel, QPageSize::Point));
+      writer.setTitle(QString::fromStdString(page->content.map.title));
+      QPainter painter;
+      if (!painter.begin(&writer)) throw core::RunError(cannot.toStdString());
+      painter.scale(static_cast<double>(writer.width()) / layout.width,
+                    static_cast<double>(writer.height()) / layout.height);
+      paintPage(painter, page->content.map, layout);
+      return;
+    }
+    QImage picture(layout.width * 2, layout.height * 2, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    painter.scale(2, 2);
+    paintPage(painter, page->content.map, layout);
+    painter.end();
+    if (!picture.save(file)) throw core::RunError(cannot.toStdString());
+  };
 }
 
 }  // namespace goniolux::gui

@@ -6,11 +6,13 @@
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "app/gui/jobs/calculations.h"
 #include "app/gui/jobs/worker.h"
+#include "app/gui/plots/false_colour.h"
 #include "plot/figure.h"
 #include "plot/map_layout.h"
 
@@ -26,6 +28,10 @@ class PlanView final : public QWidget {
   void setGrid(const QString& name);
   void setPalette(const std::string& palette);
   void setBanded(bool banded);
+  /// Values of the isolux lines; empty: chosen from the results.
+  void setLevels(const std::vector<double>& levels);
+  /// What is chosen of the colours.
+  [[nodiscard]] const FalseColour& scale() const { return scale_; }
   [[nodiscard]] const QString& grid() const { return grid_; }
   [[nodiscard]] bool isDrawn() const { return !picture_.isNull(); }
 
@@ -43,8 +49,8 @@ class PlanView final : public QWidget {
   /// Where a place of the map is in the widget.
   [[nodiscard]] QPoint toWidget(const core::Vec2& place) const;
 
-  /// The page as it is, as a PNG or PDF file. A sentence why not, "" when it is written.
-  [[nodiscard]] QString exportTo(const QString& file) const;
+  /// Writes the page as it is now as a PNG or PDF file, on any thread; throws core::RunError. Null: there is none yet.
+  [[nodiscard]] std::function<void()> exportOf(const QString& file) const;
 
  Q_SIGNALS:
   void pointed(const QString& words);
@@ -71,8 +77,8 @@ class PlanView final : public QWidget {
 
   GridsOutcome outcome_;
   QString grid_;
-  std::string palette_ = "viridis";
-  bool banded_ = true, isBusy_ = false, isStale_ = false;
+  FalseColour scale_;
+  bool isBusy_ = false, isStale_ = false;
   QImage picture_;
   std::shared_ptr<const Drawn> drawn_;
   std::optional<Line> section_;

@@ -25,9 +25,10 @@ bool isDrawable(const project::GridResult& grid) {
 }
 
 /// The scale that all grids share, as a map without a plan.
-plot::PlanMap scaleOf(const std::vector<project::GridResult>& grids, const std::string& palette) {
+plot::PlanMap scaleOf(const std::vector<project::GridResult>& grids, const FalseColour& look) {
   plot::PlanMap map;
-  map.palette = palette;
+  map.palette = look.palette;
+  map.banded = look.banded;
   std::vector<double> all;
   double finest = 0;
   for (const project::GridResult& grid : grids) {
@@ -40,7 +41,7 @@ plot::PlanMap scaleOf(const std::vector<project::GridResult>& grids, const std::
   const auto [low, high] = std::minmax_element(all.begin(), all.end());
   map.lowest = *low;
   map.highest = std::max(*high, *low + 1e-9);
-  map.levels = plot::mapLevels(all, finest);
+  map.levels = look.levels.empty() ? plot::mapLevels(all, finest) : look.levels;
   return map;
 }
 
@@ -113,10 +114,10 @@ class Builder {
 
 }  // namespace
 
-GridOverlay overlayOf(const std::vector<project::GridResult>& grids, const std::string& palette) {
+GridOverlay overlayOf(const std::vector<project::GridResult>& grids, const FalseColour& look) {
   GridOverlay overlay;
   if (std::none_of(grids.begin(), grids.end(), isDrawable)) return overlay;
-  const plot::PlanMap map = scaleOf(grids, palette);
+  const plot::PlanMap map = scaleOf(grids, look);
   overlay.scale.emplace(map);
   Builder builder(*overlay.scale, map.levels);
   for (const project::GridResult& grid : grids)

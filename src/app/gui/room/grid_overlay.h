@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/plots/false_colour.h"
 #include "plot/colour_scale.h"
 #include "project/results.h"
 
@@ -21,7 +22,7 @@ struct GridOverlay {
   std::string unit = "lx", title = "Illuminance";
 };
 
-/// `palette`: a name of plot::palettes(). Grids of single points are left out.
-GridOverlay overlayOf(const std::vector<project::GridResult>& grids, const std::string& palette);
+/// Grids of single points are left out.
+GridOverlay overlayOf(const std::vector<project::GridResult>& grids, const FalseColour& look);
 
 }  // namespace goniolux::gui

@@ -5,6 +5,7 @@
 #include <vtkIntArray.h>
 #include <vtkPoints.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace goniolux::gui {
@@ -22,7 +23,7 @@ std::optional<double> hit(const Ray& ray, const Vec3& a, const Vec3& b, const Ve
   const double first = glm::dot(s, p) / determinant, second = glm::dot(ray.direction, q) / determinant;
   if (first < 0 || second < 0 || first + second > 1) return std::nullopt;
   const double distance = glm::dot(v, q) / determinant;
-  return distance > 0 ? std::optional(distance) : std::nullopt;
+  return distance > ray.least && distance < ray.most ? std::optional(distance) : std::nullopt;
 }
 
 void pickSurface(const RoomScene& scene, vtkPolyData* data, const Ray& ray, bool frontOnly,
@@ -48,6 +49,22 @@ void pickSurface(const RoomScene& scene, vtkPolyData* data, const Ray& ray, bool
 
 }  // namespace
 
+Ray Cut::of(Ray ray) const {
+  const double side = takesGreater ? 1 : -1;
+  const double beyond = side * (ray.origin[axis] - at), speed = side * ray.direction[axis];
+  if (std::abs(speed) < 1e-12) {
+    if (beyond > 0) ray.most = ray.least;
+    return ray;
+  }
+  const double crossing = -beyond / speed;
+  if (speed > 0) {
+    ray.most = std::min(ray.most, crossing);
+  } else {
+    ray.least = std::max(ray.least, crossing);
+  }
+  return ray;
+}
+
 std::optional<Picked> pick(const RoomScene& scene, const Ray& ray, double reach, bool luminairesOnly) {
   std::optional<Picked> best;
   if (!luminairesOnly) {
@@ -64,7 +81,8 @@ std::optional<Picked> pick(const RoomScene& scene, const Ray& ray, double reach,
       distance = hit(ray, mark.footprint[0], mark.footprint[i - 1], mark.footprint[i], false);
     if (!distance) {
       const double along = glm::dot(mark.position - ray.origin, ray.direction);
-      if (along > 0 && glm::length(mark.position - ray.origin - along * ray.direction) < reach * along)
+      if (along > ray.least && along < ray.most &&
+          glm::length(mark.position - ray.origin - along * ray.direction) < reach * along)
         distance = along;
     }
     if (distance && (!luminaire || *distance < luminaire->distance))

@@ -1,6 +1,7 @@
 // Picking: what of a scene lies under the mouse. World frame, metres.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -9,7 +10,17 @@
 namespace goniolux::gui {
 
 struct Ray {
-  core::Vec3 origin{0}, direction{0, 0, -1};  ///< unit direction
+  core::Vec3 origin{0}, direction{0, 0, -1};                         ///< unit direction
+  double least = 0, most = std::numeric_limits<double>::infinity();  ///< of the distances that count, m
+};
+
+/// Cuts away what lies on the far side of an axis-parallel plane.
+struct Cut {
+  int axis = 2;              ///< 0: x, 1: y, 2: z
+  double at = 0;             ///< m
+  bool takesGreater = true;  ///< what is cut away has the greater coordinates
+  /// What of a ray is left.
+  [[nodiscard]] Ray of(Ray ray) const;
 };
 
 struct Picked {

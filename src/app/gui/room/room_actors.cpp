@@ -9,6 +9,8 @@
 #include <vtkUniforms.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace goniolux::gui {
@@ -32,6 +34,39 @@ vtkSmartPointer<vtkPolyData> dataOf(vtkPoints* points, vtkCellArray* lines) {
   data->SetPoints(points);
   data->SetLines(lines);
   return data;
+}
+
+/// m; a part of the room.
+double lengthOfAims(const RoomScene& scene) {
+  return std::min(0.22 * glm::length(scene.high - scene.low) / 3 + 0.2, 2.0);
+}
+
+/// Half-planes C every 30 degrees with a point every 5, and rings of gamma every 30.
+void addSolid(const LuminaireMark& mark, double reach, vtkPoints* points, vtkCellArray* cells) {
+  constexpr int planes = 12, gammas = 37, fine = 72;
+  double strongest = 0;
+  const auto intensity = [&](double c, double gamma) {
+    const Vec3 local(std::sin(gamma) * std::cos(c), std::sin(gamma) * std::sin(c), std::cos(gamma));
+    return mark.distribution ? mark.distribution->intensity(local) : std::max(0.0, local.z);
+  };
+  for (int i = 0; i < 2 * planes; ++i)
+    for (int j = 0; j < gammas; ++j)
+      strongest = std::max(strongest, intensity(core::pi / planes * i, core::pi / (gammas - 1) * j));
+  if (!(strongest > 0)) return;
+  const auto curve = [&](int count, const auto& anglesAt) {
+    std::vector<vtkIdType> ids;
+    for (int k = 0; k < count; ++k) {
+      const auto [c, gamma] = anglesAt(k);
+      const Vec3 direction = std::sin(gamma) * std::cos(c) * mark.frame.c0 +
+                             std::sin(gamma) * std::sin(c) * mark.frame.c90 + std::cos(gamma) * mark.frame.aim;
+      ids.push_back(add(points, mark.position + reach * intensity(c, gamma) / strongest * direction));
+    }
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  };
+  for (int i = 0; i < planes; ++i)
+    curve(gammas, [&](int k) { return std::pair(2 * core::pi / planes * i, core::pi / (gammas - 1) * k); });
+  for (int j = 1; j < 6; ++j)
+    curve(fine + 1, [&](int k) { return std::pair(2 * core::pi / fine * k, core::pi / 6 * j); });
 }
 
 void addRim(const LuminaireMark& mark, vtkPoints* points, vtkCellArray* cells) {
@@ -130,7 +165,7 @@ vtkSmartPointer<vtkPolyData> rimsOf(const RoomScene& scene) {
 vtkSmartPointer<vtkPolyData> aimsOf(const RoomScene& scene) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  const double length = std::min(0.22 * glm::length(scene.high - scene.low) / 3 + 0.2, 2.0);
+  const double length = lengthOfAims(scene);
   for (const LuminaireMark& mark : scene.luminaires) {
     const Vec3 tip = mark.position + length * mark.aim;
     Vec3 x, y;
@@ -155,6 +190,19 @@ vtkSmartPointer<vtkPolyData> marksOf(const RoomScene& scene, const std::vector<s
     if (const auto entry = scene.entries.find(pointer); entry != scene.entries.end())
       addBox(entry->second.box, points, cells);
   }
+  return dataOf(points, cells);
+}
+
+vtkSmartPointer<vtkPolyData> solidsOf(const RoomScene& scene, const std::vector<std::string>& pointers) {
+  constexpr int most = 60;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  int drawn = 0;
+  for (const LuminaireMark& mark : scene.luminaires)
+    if (drawn < most && std::find(pointers.begin(), pointers.end(), mark.pointer) != pointers.end()) {
+      addSolid(mark, lengthOfAims(scene), points, cells);
+      ++drawn;
+    }
   return dataOf(points, cells);
 }
 

@@ -30,6 +30,9 @@ vtkSmartPointer<vtkPolyData> rimsOf(const RoomScene& scene);
 vtkSmartPointer<vtkPolyData> aimsOf(const RoomScene& scene);
 /// What is selected: rims of luminaires and boxes around objects.
 vtkSmartPointer<vtkPolyData> marksOf(const RoomScene& scene, const std::vector<std::string>& pointers);
+/// The photometric solids of selected luminaires as nets of lines: in every direction as far as the intensity says, the
+/// strongest as far as the aiming lines reach. Of many luminaires the first ones.
+vtkSmartPointer<vtkPolyData> solidsOf(const RoomScene& scene, const std::vector<std::string>& pointers);
 vtkSmartPointer<vtkPolyData> lineBetween(const core::Vec3& from, const core::Vec3& to);
 
 }  // namespace goniolux::gui

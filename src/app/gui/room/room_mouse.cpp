@@ -70,7 +70,7 @@ Vec3 RoomView::planeNormal() const {
 }
 
 bool RoomView::grip(const QPoint& at, Qt::KeyboardModifiers keys, Drag& drag) const {
-  const Ray ray = rayThrough(at);
+  const Ray ray = visibleRay(at);
   const double reach = reachOf(camera_, height());
   const auto isSelected = [&](const Picked& picked) {
     return std::find(selection_.begin(), selection_.end(), picked.pointer) != selection_.end();
@@ -183,7 +183,7 @@ bool RoomView::release(const QPoint& at, Qt::KeyboardModifiers keys) {
   } else if (isClick && isMeasuring_) {
     measure(at);
   } else if (isClick && scene_) {
-    const auto picked = pick(*scene_, rayThrough(at), reachOf(camera_, height()));
+    const auto picked = pick(*scene_, visibleRay(at), reachOf(camera_, height()));
     Q_EMIT selected(picked ? QString::fromStdString(picked->pointer) : QString(), keys.testFlag(Qt::ControlModifier));
   }
   update3d();
@@ -192,15 +192,15 @@ bool RoomView::release(const QPoint& at, Qt::KeyboardModifiers keys) {
 
 void RoomView::hover(const QPoint& at) {
   if (!scene_ || !isMeasuring_ || !measuredFrom_) return;
-  const auto picked = pick(*scene_, rayThrough(at), 0);
+  const Ray ray = visibleRay(at);
+  const auto picked = pick(*scene_, ray, 0);
   if (!picked) return;
-  const Ray ray = rayThrough(at);
   setData(*ruler_, lineBetween(*measuredFrom_, ray.origin + picked->distance * ray.direction));
   update3d();
 }
 
 void RoomView::measure(const QPoint& at) {
-  const Ray ray = rayThrough(at);
+  const Ray ray = visibleRay(at);
   const auto picked = scene_ ? pick(*scene_, ray, 0) : std::nullopt;
   if (!picked) return;
   const Vec3 point = ray.origin + picked->distance * ray.direction;

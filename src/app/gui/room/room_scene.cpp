@@ -20,7 +20,9 @@ constexpr int sidesOfRoundSurfaces = 48;
 
 LuminaireMark markOf(const scene::Luminaire& luminaire) {
   const pipeline::LuminaireOutline outline = pipeline::outlineOf(luminaire);
-  LuminaireMark mark{luminaire.name, {}, luminaire.center, luminaire.frame.aim, outline.footprint};
+  LuminaireMark mark{
+      luminaire.name,        {}, luminaire.center, luminaire.frame.aim, outline.footprint, luminaire.frame,
+      luminaire.distribution};
   const Vec3 x = luminaire.frame.c0, y = luminaire.frame.c90;
   if (mark.footprint.empty()) {  // a point
     constexpr double r = 0.06;

@@ -6,6 +6,7 @@
 #include <vtkSmartPointer.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct LuminaireMark {
   std::string pointer;  ///< of its entry in the document: an array's luminaires share it
   core::Vec3 position{0}, aim{0, 0, -1};
   std::vector<core::Vec3> footprint;  ///< closed polygon; a small square for a point, a thin one for a line
+  photometry::LuminaireFrame frame;
+  std::shared_ptr<const photometry::IntensityDistribution> distribution;  ///< null: uniform luminance of the opening
 };
 
 /// Where the objects of an entry of the document stand.

@@ -24,7 +24,7 @@ RoomView::RoomView(QWidget* parent)
     : QVTKOpenGLNativeWidget(parent),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
-      cut_(vtkSmartPointer<vtkPlane>::New()) {
+      cutPlane_(vtkSmartPointer<vtkPlane>::New()) {
   setObjectName("roomView");
   setAccessibleName(tr("3-D view of the room"));
   setMouseTracking(true);
@@ -51,11 +51,11 @@ RoomView::RoomView(QWidget* parent)
 RoomView::~RoomView() = default;
 
 std::vector<vtkActor*> RoomView::plainActors() const {
-  return {room_, luminaires_, rims_, aims_, chosen_, colours_, isolines_, ruler_};
+  return {room_, luminaires_, rims_, aims_, solids_, chosen_, colours_, isolines_, ruler_};
 }
 
 void RoomView::buildActors() {
-  for (auto* actor : {&room_, &luminaires_, &rims_, &aims_, &chosen_, &colours_, &isolines_, &ruler_}) {
+  for (auto* actor : {&room_, &luminaires_, &rims_, &aims_, &solids_, &chosen_, &colours_, &isolines_, &ruler_}) {
     *actor = emptyActor();
     renderer_->AddActor(*actor);
   }
@@ -112,6 +112,7 @@ void RoomView::applyColours() {
   makePlain(*luminaires_, t.luminaire);
   makePlain(*rims_, t.aim.darker(130), 1.5F);
   makePlain(*aims_, t.aim, 1.5F);
+  makePlain(*solids_, t.selection, 1);
   makePlain(*chosen_, t.selection, 3);
   makePlain(*isolines_, QColor("#202020"), 1.2F);
   makePlain(*ruler_, t.selection, 2);
@@ -142,6 +143,7 @@ void RoomView::showSelection() {
   chosen_->SetPosition(0, 0, 0);
   chosen_->SetOrientation(0, 0, 0);
   setData(*chosen_, scene_ ? marksOf(*scene_, selection_).Get() : nullptr);
+  setData(*solids_, scene_ && showsSolids_ ? solidsOf(*scene_, selection_).Get() : nullptr);
 }
 
 void RoomView::showOverlay(std::shared_ptr<const GridOverlay> overlay) {
@@ -191,26 +193,35 @@ void RoomView::setOverlayVisible(bool visible) {
   update3d();
 }
 
-void RoomView::setCut(std::optional<double> height) {
-  cutHeight_ = height;
+void RoomView::setSolidsVisible(bool visible) {
+  showsSolids_ = visible;
+  showSelection();
+  update3d();
+}
+
+void RoomView::setCut(std::optional<Cut> cut) {
+  cut_ = cut;
   applyCut();
   update3d();
 }
 
 void RoomView::applyCut() {
-  if (cutHeight_) {
-    cut_->SetOrigin(0, 0, *cutHeight_);
-    cut_->SetNormal(0, 0, -1);
+  if (cut_) {
+    Vec3 origin(0), normal(0);
+    origin[cut_->axis] = cut_->at;
+    normal[cut_->axis] = cut_->takesGreater ? -1 : 1;
+    cutPlane_->SetOrigin(origin.x, origin.y, origin.z);
+    cutPlane_->SetNormal(normal.x, normal.y, normal.z);
   }
   std::vector<vtkActor*> actors{room_, luminaires_, rims_, aims_};
   for (const Detail& detail : details_) {
     actors.push_back(detail.actor);
     // A body that is cut open shows its inside.
-    if (detail.isClosed) detail.actor->GetProperty()->SetBackfaceCulling(cutHeight_ ? 0 : 1);
+    if (detail.isClosed) detail.actor->GetProperty()->SetBackfaceCulling(cut_ ? 0 : 1);
   }
   for (vtkActor* actor : actors) {
     actor->GetMapper()->RemoveAllClippingPlanes();
-    if (cutHeight_) actor->GetMapper()->AddClippingPlane(cut_);
+    if (cut_) actor->GetMapper()->AddClippingPlane(cutPlane_);
   }
 }
 

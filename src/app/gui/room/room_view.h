@@ -49,8 +49,8 @@ class RoomView final : public QVTKOpenGLNativeWidget {
   void setAimsVisible(bool visible);
   void setEdgesVisible(bool visible);
   void setOverlayVisible(bool visible);
-  /// Cuts away what lies above this height; nothing: no cut.
-  void setCut(std::optional<double> height);
+  void setSolidsVisible(bool visible);
+  void setCut(std::optional<Cut> cut);
   /// Takes over the colours of the theme.
   void applyColours();
 
@@ -106,6 +106,8 @@ class RoomView final : public QVTKOpenGLNativeWidget {
   void showSelection();
   void update3d();
   [[nodiscard]] Ray rayThrough(const QPoint& at) const;
+  /// Of that ray what is not cut away.
+  [[nodiscard]] Ray visibleRay(const QPoint& at) const { return cut_ ? cut_->of(rayThrough(at)) : rayThrough(at); }
   bool press(const QPoint& at, Qt::MouseButton button, Qt::KeyboardModifiers keys);
   bool drag(const QPoint& at, Qt::KeyboardModifiers keys);
   bool release(const QPoint& at, Qt::KeyboardModifiers keys);
@@ -119,12 +121,12 @@ class RoomView final : public QVTKOpenGLNativeWidget {
 
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> renderer_;
-  vtkSmartPointer<vtkActor> room_, luminaires_, rims_, aims_, chosen_, colours_, isolines_, ruler_;
+  vtkSmartPointer<vtkActor> room_, luminaires_, rims_, aims_, solids_, chosen_, colours_, isolines_, ruler_;
   std::vector<Detail> details_;  ///< objects and edges in the order in which they are drawn
   std::size_t leastDetails_ = 0, detailsAtOnce_ = 0, nextDetail_ = 0;
-  bool showsEdges_ = true, showsAims_ = true, showsOverlay_ = true;
-  std::optional<double> cutHeight_;
-  vtkSmartPointer<vtkPlane> cut_;
+  bool showsEdges_ = true, showsAims_ = true, showsOverlay_ = true, showsSolids_ = true;
+  std::optional<Cut> cut_;
+  vtkSmartPointer<vtkPlane> cutPlane_;
   std::shared_ptr<const RoomScene> scene_;
   OrbitCamera camera_;
   OrbitCamera::Preset preset_ = OrbitCamera::Preset::perspective;

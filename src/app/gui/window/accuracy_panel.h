@@ -2,6 +2,7 @@
 // work-precision chart of the open project, by the stage `study`.
 #pragma once
 
+#include <QStringList>
 #include <QTemporaryDir>
 #include <QWidget>
 
@@ -22,7 +23,9 @@ class AccuracyPanel final : public QWidget {
   Q_OBJECT
  public:
   explicit AccuracyPanel(JobQueue& jobs, QWidget* parent = nullptr);
-  /// The project that is asked about.
+  /// The accuracies that are offered: "10 %" …
+  static const QStringList& choices();
+  /// The project that is asked about. Predictions hold whatever accuracy it asks for itself.
   void setSource(const Source& source);
   void estimate();
   /// Draws the work-precision chart, in about so many seconds; it goes on where an earlier one ended.
@@ -32,12 +35,16 @@ class AccuracyPanel final : public QWidget {
 
  Q_SIGNALS:
   void accuracyChosen(const QString& accuracy);
+  /// What one of the choices would take, in words; "": not known any more.
+  void predicted(const QString& accuracy, const QString& time);
 
  private:
   void take(int row, const pipeline::StageReport& report);
+  void showWords();
 
   JobQueue& jobs_;
   Source source_;
+  std::string asked_;  ///< the project's text without its accuracy
   QTreeWidget* table_;
   QLabel* words_;
   QPushButton *ask_, *draw_;

@@ -157,6 +157,7 @@ void MainWindow::connectPanels() {
     document_.set("/settings/accuracy/image", core::Value(accuracy.toStdString()),
                   tr("Change the accuracy of pictures"));
   });
+  connect(planPage_, &PlanPage::scaleChanged, this, &MainWindow::showOverlay);
   connect(planPage_, &PlanPage::exportRequested, this, [this] { exportDialog("plan"); });
   connect(luminairePage_, &LuminairePage::importRequested, this, &MainWindow::importDialog);
   connect(luminairePage_, &LuminairePage::useRequested, this,

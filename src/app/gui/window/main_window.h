@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QTemporaryDir>
+#include <functional>
 #include <memory>
 
 #include "app/gui/document/checked_project.h"
@@ -23,6 +24,7 @@ class QToolBar;
 namespace goniolux::gui {
 
 class AccuracyPanel;
+class HelpWindow;
 class JobsPanel;
 class LuminairePage;
 class PicturePage;
@@ -74,6 +76,11 @@ class MainWindow final : public QMainWindow {
   bool exportTo(const QString& what, const QString& file);
   /// Offers what an earlier process that was killed left; opens the newest. False when there is nothing.
   bool offerRecovery();
+  /// The documentation in a window of its own.
+  void showDocumentation();
+  [[nodiscard]] HelpWindow* help() const { return help_; }
+  /// Size and panels as they were when the program was last closed.
+  void restoreLayout();
   bool save();
   bool saveAs(const QString& folder);
   void setTheme(const QString& name);
@@ -111,14 +118,17 @@ class MainWindow final : public QMainWindow {
   void newRoomDialog();
   void importDialog();
   void importModelDialog();
+  void importModel(const QString& file);
   void exportDialog(const QString& what);
+  /// Writes a file by a job; what `write` throws is shown.
+  void startExport(const QString& file, const std::function<void()>& write);
   [[nodiscard]] QStringList photometryOfProject() const;
   // main_window_jobs.cpp: calculating
   void showGrids(quint64 revision, const GridsOutcome& outcome);
+  void showOverlay();
   void loadEarlierResults();
   void saveResults();
   void copyCommandLine();
-  void showDocumentation();
   void showRendering(const RenderOutcome& outcome);
   void showProgress();
   [[nodiscard]] Source source() const;
@@ -144,6 +154,7 @@ class MainWindow final : public QMainWindow {
   ProblemsPanel* problems_ = nullptr;
   JobsPanel* jobsPanel_ = nullptr;
   TextPanel* text_ = nullptr;
+  HelpWindow* help_ = nullptr;
   QLabel* pointed_ = nullptr;
   QLabel* health_ = nullptr;
   QLabel* progressText_ = nullptr;

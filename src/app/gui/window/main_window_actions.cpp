@@ -12,6 +12,7 @@
 #include <QToolBar>
 
 #include "app/gui/jobs/job_queue.h"
+#include "app/gui/window/accuracy_panel.h"
 #include "app/gui/window/icons.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/picture_page.h"
@@ -168,10 +169,23 @@ void MainWindow::buildAccuracy(QToolBar& bar) {
   accuracy_->setToolTip(
       tr("The half-width that you are content with: at 95 % confidence the mean, the minimum and 95 % "
          "of the points of every grid are known to this share of their value."));
-  for (const char* accuracy : {"10 %", "5 %", "3 %", "2 %", "1 %", "0.5 %"})
-    accuracy_->addItem(QString("± ") + accuracy, accuracy);
+  for (const QString& accuracy : AccuracyPanel::choices()) accuracy_->addItem("± " + accuracy, accuracy);
+  accuracy_->insertSeparator(accuracy_->count());
+  accuracy_->addItem(tr("Predict the times …"));
+  accuracy_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   bar.addWidget(accuracy_);
+  connect(accuracyPanel_, &AccuracyPanel::predicted, this, [this](const QString& accuracy, const QString& time) {
+    const int index = accuracy_->findData(accuracy);
+    if (index >= 0) accuracy_->setItemText(index, "± " + accuracy + (time.isEmpty() ? QString() : "  ·  " + time));
+  });
   connect(accuracy_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    if (accuracy_->currentData().toString().isEmpty()) {
+      auto* dock = findChild<QDockWidget*>("accuracyDock");
+      dock->show();
+      dock->raise();
+      accuracyPanel_->estimate();
+      return updateActions();
+    }
     document_.set("/settings/accuracy/grid", core::Value(accuracy_->currentData().toString().toStdString()),
                   tr("Change the accuracy"));
   });
@@ -200,10 +214,7 @@ void MainWindow::updateActions() {
   if (asked != nullptr && asked->isString()) shown = QString::fromStdString(asked->string());
   if (asked != nullptr && asked->isNumber()) shown = QString("%1 %").arg(100 * asked->number());
   int index = accuracy_->findData(shown);
-  if (index < 0) {
-    accuracy_->addItem("± " + shown, shown);
-    index = accuracy_->count() - 1;
-  }
+  if (index < 0) accuracy_->insertItem(index = 0, "± " + shown, shown);
   accuracy_->setCurrentIndex(index);
 }
 

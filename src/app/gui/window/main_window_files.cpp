@@ -1,5 +1,4 @@
 // The main window's files: new rooms, imports, exports, drag and drop, recovery.
-#include <QDesktopServices>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -14,6 +13,7 @@
 
 #include "app/gui/document/json_pointer.h"
 #include "app/gui/document/recovery.h"
+#include "app/gui/window/help_window.h"
 #include "app/gui/window/luminaire_page.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/new_room_dialog.h"
@@ -32,6 +32,10 @@ namespace {
 
 bool isPhotometry(const QString& file) {
   return QStringList{"ies", "ldt", "xml"}.contains(QFileInfo(file).suffix().toLower());
+}
+
+bool isModel(const QString& file) {
+  return QStringList{"obj", "ply", "stl", "gltf", "glb", "rad"}.contains(QFileInfo(file).suffix().toLower());
 }
 
 }  // namespace
@@ -119,7 +123,11 @@ void MainWindow::importDialog() {
 void MainWindow::importModelDialog() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Import a model"), QString(),
                                                     tr("Models (*.obj *.ply *.stl *.gltf *.glb *.rad);;All files (*)"));
-  if (file.isEmpty() || !save()) return;  // the stage works on the file
+  if (!file.isEmpty()) importModel(file);
+}
+
+void MainWindow::importModel(const QString& file) {
+  if (!save()) return;  // the stage works on the file
   pipeline::StageRequest request;
   request.inputs = {file.toStdString()};
   request.options["into"] = document_.folder().toStdString();
@@ -138,6 +146,13 @@ void MainWindow::exportDialog(const QString& what) {
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Export"), document_.folder() + "/" + what + "." + ending, filter);
   if (!file.isEmpty()) exportTo(what, file);
+}
+
+void MainWindow::startExport(const QString& file, const std::function<void()>& write) {
+  jobs_->start(tr("Export %1").arg(QFileInfo(file).fileName()), [this, file, write](JobProgress& progress) {
+    write();
+    progress.publish([this, file] { statusBar()->showMessage(tr("Written: %1").arg(file), 5000); });
+  });
 }
 
 bool MainWindow::exportTo(const QString& what, const QString& file) {
@@ -159,9 +174,16 @@ bool MainWindow::exportTo(const QString& what, const QString& file) {
       job->setCommandLine(commandLine("report", request));
       return true;
     } else if (what == "plan") {
-      failure = planPage_->view().exportTo(file);
+      const auto write = planPage_->view().exportOf(file);
+      if (!write) throw core::RunError(tr("There is no plot yet; calculate first.").toStdString());
+      startExport(file, write);
+      return true;
     } else if (what == "room") {
-      if (!roomPage_->view().picture().save(file)) failure = tr("%1 cannot be written.").arg(file);
+      startExport(file, [picture = roomPage_->view().picture(), file,
+                         cannot = tr("%1 cannot be written; choose another folder or ending.").arg(file)] {
+        if (!picture.save(file)) throw core::RunError(cannot.toStdString());
+      });
+      return true;
     } else if (picturePage_->outcome().file.empty()) {
       failure = tr("There is no finished picture; render first.");
     } else if (file.endsWith(".exr", Qt::CaseInsensitive)) {
@@ -190,14 +212,10 @@ bool MainWindow::exportTo(const QString& what, const QString& file) {
 }
 
 void MainWindow::showDocumentation() {
-  // Beside the program's data when it is installed, else in the repository.
-  for (const auto& folder : project::programDataFolders())
-    for (const char* place : {"../doc/goniolux/docs/studio/README.md", "docs/studio/README.md"}) {
-      const QFileInfo file(QString::fromStdString((folder / place).string()));
-      if (file.exists() && QDesktopServices::openUrl(QUrl::fromLocalFile(file.canonicalFilePath()))) return;
-    }
-  showFailure(tr("The documentation cannot be opened"),
-              tr("No program is set for it, or it is not installed; it is the folder docs of Goniolux."));
+  if (help_ == nullptr) help_ = new HelpWindow(this);
+  if (!help_->open("studio/README.md"))
+    showFailure(tr("The documentation cannot be opened"),
+                tr("It is not installed; it is the folder docs of Goniolux."));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -208,7 +226,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) {
     const QString file = url.toLocalFile();
     if (isPhotometry(file)) {
-      importPhotometry(file);
+      if (document_.isOpen()) {
+        importPhotometry(file);
+      } else {
+        statusBar()->showMessage(tr("Open a project or make a room first; then drop the luminaire again."), 8000);
+      }
+    } else if (isModel(file) && document_.isOpen()) {
+      importModel(file);
     } else if (QFileInfo(file).isDir() || file.endsWith(".json")) {
       if (mayClose()) openProject(file);
     }

@@ -41,11 +41,12 @@ Job* MainWindow::render(const QString& view) {
   text_->commit();
   const QString folder = document_.isModified() ? drafts_.path() : document_.folder() + "/results";
   Job* job = jobs_->start(tr("Render “%1”").arg(view),
-                          renderWork(source(), view.toStdString(), folder.toStdString(),
+                          renderWork(source(), view.toStdString(), folder.toStdString(), picturePage_->wantsSpectra(),
                                      [this](const RenderOutcome& outcome) { showRendering(outcome); }));
   pipeline::StageRequest request;
   request.inputs = {document_.folder().toStdString()};
   request.options["view"] = view.toStdString();
+  if (picturePage_->wantsSpectra()) request.options["channels"] = spectralChannels;
   job->setCommandLine(commandLine("render", request));
   pages_->setCurrentWidget(picturePage_);
   updateActions();
@@ -82,14 +83,19 @@ void MainWindow::showGrids(quint64 revision, const GridsOutcome& outcome) {
   resultsPanel_->show(outcome.results, outcome.isFinal);
   if (revision != document_.revision()) resultsPanel_->setStale(true);
   planPage_->show(outcome);
-  overlays_->run([this, results = outcome.results] {
+  showOverlay();
+  if (outcome.isFinal && !document_.isModified() && revision == document_.revision()) saveResults();
+}
+
+void MainWindow::showOverlay() {
+  if (!outcome_.results) return;
+  overlays_->run([this, results = outcome_.results, look = planPage_->view().scale()] {
     const QMutexLocker lock(&drawingLock());
-    auto overlay = std::make_shared<const GridOverlay>(overlayOf(results->grids, "viridis"));
+    auto overlay = std::make_shared<const GridOverlay>(overlayOf(results->grids, look));
     post(this, [this, overlay, results] {
       if (outcome_.results == results) roomPage_->showOverlay(overlay);
     });
   });
-  if (outcome.isFinal && !document_.isModified() && revision == document_.revision()) saveResults();
 }
 
 void MainWindow::saveResults() {

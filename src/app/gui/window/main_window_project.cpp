@@ -195,12 +195,21 @@ bool MainWindow::mayClose() {
   return answer == QMessageBox::Discard;
 }
 
+void MainWindow::restoreLayout() {
+  const QSettings settings;
+  restoreGeometry(settings.value("geometry").toByteArray());
+  restoreState(settings.value("panels").toByteArray());
+  if (!document_.isOpen())
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->setVisible(false);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayClose()) return event->ignore();
   jobs_->stopAll();
   if (asksBeforeClosing_) {
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
+    if (document_.isOpen()) settings.setValue("panels", saveState());
   }
   event->accept();
 }

@@ -6,12 +6,14 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/gui/plots/paper.h"
 #include "app/gui/window/icons.h"
 #include "display/device.h"
 #include "display/mapping.h"
@@ -52,6 +54,12 @@ PicturePage::PicturePage(QWidget* parent)
   bar->addWidget(accuracy_);
   render_ = bar->addAction(icon("render"), tr("Render"), this, [this] { Q_EMIT renderRequested(chosenView()); });
   render_->setProperty("picture", "render");
+  spectra_ = new QCheckBox(tr("with spectra"), bar);
+  spectra_->setObjectName("spectra");
+  spectra_->setToolTip(
+      tr("The picture carries the spectral radiance of every pixel from 400 to 700 nm, for the meter: "
+         "takes several times as long"));
+  bar->addWidget(spectra_);
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
@@ -65,7 +73,10 @@ PicturePage::PicturePage(QWidget* parent)
   body->addWidget(buildMeter());
   connect(accuracy_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { Q_EMIT accuracyChosen(accuracy_->currentData().toString()); });
-  connect(canvas_, &ImageCanvas::pixelPointed, this, &PicturePage::point);
+  connect(canvas_, &ImageCanvas::pixelPointed, this, [this](const QPoint& pixel) {
+    if (tool_->currentIndex() == static_cast<int>(ImageCanvas::Tool::point)) point(pixel);
+  });
+  connect(canvas_, &ImageCanvas::regionDrawn, this, [this] { point({-1, -1}); });
   connect(canvas_, &ImageCanvas::pixelClicked, this, [this](const QPoint& pixel) {
     pinned_ = pinned_ == pixel ? QPoint(-1, -1) : pixel;
     point(pixel);
@@ -74,8 +85,13 @@ PicturePage::PicturePage(QWidget* parent)
 }
 
 QWidget* PicturePage::buildMeter() {
-  auto* side = new QWidget(this);
-  side->setFixedWidth(292);
+  auto* scroll = new QScrollArea(this);  // of a low window
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidgetResizable(true);
+  scroll->setFixedWidth(306);
+  auto* side = new QWidget(scroll);
+  scroll->setWidget(side);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(12);
@@ -122,8 +138,27 @@ QWidget* PicturePage::buildMeter() {
   meter_->setMinimumHeight(128);
   meter_->setAlignment(Qt::AlignTop);
   meter_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  tool_ = new QComboBox(meterBox);
+  tool_->setObjectName("meterTool");
+  tool_->addItems({tr("Circle"), tr("Rectangle"), tr("Polygon")});
+  tool_->setItemData(0, tr("Point at the picture; a click stays there."), Qt::ToolTipRole);
+  tool_->setItemData(1, tr("Drag over the picture."), Qt::ToolTipRole);
+  tool_->setItemData(2, tr("Click the corners; a double click closes it, Escape takes it back."), Qt::ToolTipRole);
+  tool_->setToolTip(tr("What is measured: the mean of the pixels inside"));
+  meter_->setToolTip(
+      tr("Luminance L_v: luminous flux per projected area and solid angle (CIE S 017, 17-21-050). x, y: "
+         "CIE 1931 chromaticity. CCT: temperature of the Planckian radiator whose chromaticity is the "
+         "nearest (CIE S 017, 17-23-068)."));
+  auto* toolRow = new QHBoxLayout;
+  toolRow->addWidget(tool_, 1);
+  toolRow->addWidget(radius_, 1);
+  meterLayout->addLayout(toolRow);
   meterLayout->addWidget(meter_);
-  meterLayout->addWidget(radius_);
+  spectrum_ = new Paper(tr("No spectrum here."), meterBox);
+  spectrum_->setObjectName("meterSpectrum");
+  spectrum_->setMinimumSize(220, 150);
+  spectrum_->setVisible(false);
+  meterLayout->addWidget(spectrum_);
   column->addWidget(meterBox);
   quality_ = new QLabel(side);
   quality_->setWordWrap(true);
@@ -145,7 +180,9 @@ QWidget* PicturePage::buildMeter() {
   connect(adapts_, &QCheckBox::toggled, this, &PicturePage::redraw);
   connect(split_, &QSlider::valueChanged, this, [this](int value) { canvas_->setSplit(value / 100.0); });
   connect(radius_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this] { point(pinned_); });
-  return side;
+  connect(tool_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this](int index) { setTool(static_cast<ImageCanvas::Tool>(index)); });
+  return scroll;
 }
 
 void PicturePage::setViews(const std::vector<scene::View>& views) {
@@ -223,24 +260,67 @@ void PicturePage::take(const std::shared_ptr<const ShownImage>& shown) {
   exposure_->setToolTip(shown->method);
 }
 
-QString PicturePage::reading(const QPoint& pixel) const {
+bool PicturePage::wantsSpectra() const {
+  return spectra_->isChecked();
+}
+
+void PicturePage::setTool(ImageCanvas::Tool tool) {
+  const QSignalBlocker quiet(tool_);
+  tool_->setCurrentIndex(static_cast<int>(tool));
+  radius_->setVisible(tool == ImageCanvas::Tool::point);
+  pinned_ = {-1, -1};
+  canvas_->setTool(tool);
+  point({-1, -1});
+}
+
+std::optional<image::PatchReading> PicturePage::measure(const QPoint& pixel) const {
   const auto& image = outcome_.image;
-  if (!image || pixel.x() < 0 || pixel.x() >= image->width || pixel.y() >= image->height)
-    return tr("Point at the picture; click to stay there.");
-  const image::PatchReading r = image::readPatch(*image, pixel.x(), pixel.y(), radius_->value());
+  if (!image) return std::nullopt;
+  if (tool_->currentIndex() != static_cast<int>(ImageCanvas::Tool::point)) {
+    std::vector<core::Vec2> corners;
+    for (const QPointF& corner : canvas_->region()) corners.emplace_back(corner.x(), corner.y());
+    const auto reading = image::readPolygon(*image, corners);
+    return reading.pixels > 0 ? std::optional(reading) : std::nullopt;
+  }
+  if (pixel.x() < 0 || pixel.x() >= image->width || pixel.y() < 0 || pixel.y() >= image->height) return std::nullopt;
+  return image::readPatch(*image, pixel.x(), pixel.y(), radius_->value());
+}
+
+QString PicturePage::reading(const QPoint& pixel) const {
+  const auto measuredThere = measure(pixel);
+  if (!measuredThere) return tool_->itemData(tool_->currentIndex(), Qt::ToolTipRole).toString();
+  const image::PatchReading& r = *measuredThere;
   QString words = "<table>";
-  words += row(tr("Pixel"), QString("%1, %2").arg(pixel.x()).arg(pixel.y()));
+  if (tool_->currentIndex() == 0) words += row(tr("Pixel"), QString("%1, %2").arg(pixel.x()).arg(pixel.y()));
   words += row(tr("Luminance"), measured(r.luminance, 1) + " cd/m²");
   words += row("x", measured(r.x, 4)) + row("y", measured(r.y, 4));
   if (r.colourTemperature) words += row(tr("CCT"), measured(*r.colourTemperature, 0) + " K");
-  if (r.pixels > 1)
-    words += row(tr("%1 pixels").arg(r.pixels), QString("%1 – %2").arg(r.least, 0, 'g', 4).arg(r.most, 0, 'g', 4));
+  if (r.pixels > 1) {
+    words += row(tr("Lowest, highest"), QString("%1, %2 cd/m²").arg(r.least, 0, 'g', 4).arg(r.most, 0, 'g', 4));
+    if (r.most > 0) words += row(tr("Uniformity"), QString::number(r.least / r.luminance.value, 'f', 3));
+    words += row(tr("Pixels"), QString::number(r.pixels));
+  }
   return words + "</table>";
+}
+
+void PicturePage::showSpectrum(const std::optional<image::PatchReading>& reading) {
+  const bool has = reading && !reading->spectrum.empty();
+  spectrum_->setVisible(has);
+  if (!has) return;
+  plot::LineChart chart;
+  chart.title = tr("Spectral radiance").toStdString();
+  chart.x.title = tr("wavelength / nm").toStdString();
+  chart.y.title = "L_e / mW/(m² sr nm)";
+  plot::ChartCurve curve{tr("where the meter points").toStdString(), {}};
+  for (const auto& [nm, radiance] : reading->spectrum) curve.points.emplace_back(nm, 1e3 * radiance);
+  chart.curves.push_back(curve);
+  spectrum_->show([chart] { return smallSheetOf(chart); });
 }
 
 void PicturePage::point(const QPoint& pixel) {
   const QPoint at = pinned_.x() >= 0 ? pinned_ : pixel;
   meter_->setText(reading(at));
+  showSpectrum(measure(at));
   canvas_->setMark(pinned_, radius_->value());
 }
 

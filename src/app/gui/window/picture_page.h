@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/gui/jobs/latest.h"
@@ -21,6 +22,8 @@ class QSpinBox;
 
 namespace goniolux::gui {
 
+class Paper;
+
 class PicturePage final : public QWidget {
   Q_OBJECT
  public:
@@ -31,8 +34,11 @@ class PicturePage final : public QWidget {
   [[nodiscard]] QString chosenView() const;
   [[nodiscard]] ImageCanvas& canvas() { return *canvas_; }
   [[nodiscard]] const RenderOutcome& outcome() const { return outcome_; }
-  /// What the meter reads at a pixel, in words of several lines.
+  /// What the meter reads at a pixel, or in the region that is drawn, in words of several lines.
   [[nodiscard]] QString reading(const QPoint& pixel) const;
+  void setTool(ImageCanvas::Tool tool);
+  /// Renderings carry spectra, too.
+  [[nodiscard]] bool wantsSpectra() const;
   [[nodiscard]] DisplayChoice choice() const;
   void setRendering(bool rendering);
 
@@ -46,13 +52,17 @@ class PicturePage final : public QWidget {
   void redraw();
   void take(const std::shared_ptr<const ShownImage>& shown);
   void point(const QPoint& pixel);
+  [[nodiscard]] std::optional<image::PatchReading> measure(const QPoint& pixel) const;
+  void showSpectrum(const std::optional<image::PatchReading>& reading);
 
   RenderOutcome outcome_;
   std::shared_ptr<const image::XyzImage> earlier_;
   ImageCanvas* canvas_;
   QComboBox *views_ = nullptr, *device_ = nullptr, *mapping_ = nullptr, *accuracy_ = nullptr;
   QSlider *stops_ = nullptr, *split_ = nullptr;
-  QCheckBox* adapts_ = nullptr;
+  QCheckBox *adapts_ = nullptr, *spectra_ = nullptr;
+  QComboBox* tool_ = nullptr;
+  Paper* spectrum_ = nullptr;
   QSpinBox* radius_ = nullptr;
   QLabel *meter_ = nullptr, *quality_ = nullptr, *exposure_ = nullptr;
   QAction* render_ = nullptr;

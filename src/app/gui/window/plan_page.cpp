@@ -1,18 +1,21 @@
 #include "app/gui/window/plan_page.h"
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStyle>
 #include <QTabWidget>
+#include <QTableView>
 #include <QToolBar>
-#include <QTreeWidget>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "app/gui/plots/paper.h"
+#include "app/gui/plots/values_model.h"
 #include "app/gui/window/icons.h"
-#include "plot/number_text.h"
+#include "plot/levels.h"
 #include "plot/palette.h"
 #include "plot/section.h"
 
@@ -33,13 +36,19 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   charts_->setDocumentMode(true);
   section_ = new Paper(tr("Draw a line in the plan with the mouse to see the values along it."), charts_);
   histogram_ = new Paper(tr("Press Calculate to see how the values are spread."), charts_);
-  values_ = new QTreeWidget(charts_);
+  values_ = new QTableView(charts_);
   values_->setObjectName("values");
-  values_->setRootIsDecorated(false);
-  values_->setUniformRowHeights(true);
+  values_->setAccessibleName(tr("Values of the points"));
+  model_ = new ValuesModel(this);
+  values_->setModel(model_);
+  values_->setSortingEnabled(true);
+  values_->sortByColumn(-1, Qt::AscendingOrder);
   values_->setAlternatingRowColors(true);
   values_->setFrameShape(QFrame::NoFrame);
-  values_->setHeaderLabels({"x / m", "y / m", tr("Value"), tr("Half-width")});
+  values_->setShowGrid(false);
+  values_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  values_->verticalHeader()->hide();
+  values_->verticalHeader()->setDefaultSectionSize(24);
   charts_->addTab(section_, tr("Section"));
   charts_->addTab(histogram_, tr("Histogram"));
   charts_->addTab(values_, tr("Values"));
@@ -70,15 +79,29 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   banded->addItem(tr("in bands"), true);
   banded->addItem(tr("smooth"), false);
   bar->addWidget(banded);
+  bar->addWidget(new QLabel(tr("  Levels  "), bar));
+  levels_ = new QLineEdit(bar);
+  levels_->setObjectName("levels");
+  levels_->setPlaceholderText(tr("automatic"));
+  levels_->setToolTip(
+      tr("Values of the isolux lines, here and in the 3-D view, such as 100, 200, 300, 500; empty: "
+         "chosen from the results"));
+  levels_->setMaximumWidth(170);
+  bar->addWidget(levels_);
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   bar->addAction(icon("export"), tr("Export this plot …"), this, &PlanPage::exportRequested);
   connect(grids_, &QComboBox::currentTextChanged, view_, &PlanView::setGrid);
-  connect(colours, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          [this, colours] { view_->setPalette(colours->currentData().toString().toStdString()); });
-  connect(banded, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          [this, banded] { view_->setBanded(banded->currentData().toBool()); });
+  connect(colours, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, colours] {
+    view_->setPalette(colours->currentData().toString().toStdString());
+    Q_EMIT scaleChanged();
+  });
+  connect(banded, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, banded] {
+    view_->setBanded(banded->currentData().toBool());
+    Q_EMIT scaleChanged();
+  });
+  connect(levels_, &QLineEdit::editingFinished, this, &PlanPage::takeLevels);
 }
 
 void PlanPage::show(const GridsOutcome& outcome) {
@@ -102,7 +125,7 @@ void PlanPage::showCharts() {
   if (!content) return;
   if (charts_->currentWidget() == histogram_)
     histogram_->show([content] { return smallSheetOf(plot::histogramOf(content->map)); });
-  if (charts_->currentWidget() == values_) showValues();
+  if (charts_->currentWidget() == values_) model_->show(content);
 }
 
 void PlanPage::showSection() {
@@ -115,33 +138,22 @@ void PlanPage::showSection() {
   });
 }
 
-void PlanPage::showValues() {
-  const auto content = view_->content();
-  values_->setUpdatesEnabled(false);
-  values_->clear();
-  // A table of more rows than anyone reads would hold the interface up.
-  constexpr std::size_t mostRows = 2000;
-  const plot::PlanMap& map = content->map;
-  QList<QTreeWidgetItem*> rows;
-  for (std::size_t i = 0; i < std::min(map.points.size(), mostRows); ++i) {
-    const bool counts = std::isfinite(map.values[i]);
-    auto* row = new QTreeWidgetItem(
-        {QString::number(map.points[i].x, 'f', 2), QString::number(map.points[i].y, 'f', 2),
-         counts ? QString::fromStdString(plot::pointText(map.values[i]) + " " + map.unit) : tr("not counted"),
-         counts ? QString("± %1").arg(content->halfWidths[i], 0, 'g', 2) : QString()});
-    for (int c = 0; c < 4; ++c) row->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-    rows << row;
-  }
-  if (map.points.size() > mostRows)
-    rows << new QTreeWidgetItem({"…", "…", tr("%1 more").arg(map.points.size() - mostRows), QString()});
-  values_->addTopLevelItems(rows);
-  values_->setUpdatesEnabled(true);
+void PlanPage::takeLevels() {
+  const QString text = levels_->text().trimmed();
+  const auto levels =
+      text.isEmpty() ? std::optional<std::vector<double>>(std::in_place) : plot::parseLevels(text.toStdString());
+  levels_->setProperty("wrong", !levels);
+  levels_->style()->unpolish(levels_);
+  levels_->style()->polish(levels_);
+  if (!levels || *levels == view_->scale().levels) return;
+  view_->setLevels(*levels);
+  Q_EMIT scaleChanged();
 }
 
 void PlanPage::clear() {
   section_->clear();
   histogram_->clear();
-  values_->clear();
+  model_->show(nullptr);
   grids_->clear();
   view_->clear();
 }

@@ -8,11 +8,13 @@
 
 class QComboBox;
 class QTabWidget;
-class QTreeWidget;
+class QLineEdit;
+class QTableView;
 
 namespace goniolux::gui {
 
 class Paper;
+class ValuesModel;
 
 class PlanPage final : public QWidget {
   Q_OBJECT
@@ -27,17 +29,21 @@ class PlanPage final : public QWidget {
 
  Q_SIGNALS:
   void exportRequested();
+  /// Colours or levels were chosen.
+  void scaleChanged();
 
  private:
   void showCharts();
   void showSection();
-  void showValues();
+  void takeLevels();
 
   QComboBox* grids_;
   PlanView* view_;
   QTabWidget* charts_;
   Paper *section_, *histogram_;
-  QTreeWidget* values_;
+  QTableView* values_;
+  ValuesModel* model_;
+  QLineEdit* levels_;
 };
 
 }  // namespace goniolux::gui

@@ -74,9 +74,14 @@ ProjectTree::ProjectTree(Document& document, const ProjectChecker& checker, QWid
 std::vector<std::string> ProjectTree::selection() const {
   std::vector<std::string> pointers;
   for (const QTreeWidgetItem* item : selectedItems()) pointers.push_back(pointerOf(item));
-  // Of one kind only: a form is about one section.
-  if (!pointers.empty())
-    std::erase_if(pointers, [&](const std::string& p) { return parentOf(p) != parentOf(pointers.front()); });
+  if (pointers.size() > 1) {
+    std::erase_if(pointers, [](const std::string& p) { return stepsOf(p).size() != 2; });
+    // In the order of the document, whatever was clicked first.
+    std::sort(pointers.begin(), pointers.end(), [](const std::string& a, const std::string& b) {
+      const std::string listA = parentOf(a), listB = parentOf(b);
+      return listA != listB ? listA < listB : a.size() != b.size() ? a.size() < b.size() : a < b;
+    });
+  }
   return pointers;
 }
 

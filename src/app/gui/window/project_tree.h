@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTreeWidget>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ class ProjectTree final : public QTreeWidget {
 
   /// Selects the entry; "" selects nothing. `together`: with what is selected already, or out of it.
   void select(const std::string& pointer, bool together = false);
+  /// Entries of several kinds may be selected together; a kind's title or the settings only alone.
   [[nodiscard]] std::vector<std::string> selection() const;
 
   void addEntry(const std::string& listPointer);
@@ -37,14 +39,11 @@ class ProjectTree final : public QTreeWidget {
   void addList(const QString& title, const char* key, const QString& iconName);
   void markProblems();
   void showMenu(const QPoint& at);
-  /// The selected entries of a list, as copies are kept: its pointer, and [{"name": …, "value": …}]. Empty: nothing
-  /// that could be copied.
-  struct Entries {
-    std::string list;
-    core::Value values;
-  };
-  [[nodiscard]] Entries selectedEntries() const;
-  void addCopies(const std::string& list, const core::Value& entries, const QString& words);
+  /// The selected entries as copies are kept: [{"list": …, "entries": [{"name": …, "value": …}]}].
+  [[nodiscard]] core::Value selectedEntries() const;
+  void addCopies(const core::Value& lists, const std::function<QString(int)>& words);
+  void addCopies(project::ProjectText& text, const std::string& list, const core::Value& entries,
+                 std::vector<std::string>& added) const;
 
   Document& document_;
   const ProjectChecker& checker_;

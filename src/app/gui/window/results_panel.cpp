@@ -118,11 +118,15 @@ void ResultsPanel::addVerdicts(const project::Results& results) {
     row->setText(0, QString::fromStdString(observer.name + ": " + observer.quantity));
     row->setText(1, withHalfWidth(observer.value));
     row->setIcon(0, icon("observer"));
+    if (observer.quantity == "ugr")
+      row->setToolTip(0, tr("UGR, unified glare rating of the luminaires against the luminance that they stand before "
+                            "(CIE 117:1995); EN 12464-1 limits it."));
   }
   for (const project::RequirementResult& requirement : results.requirements) {
     const bool pass = requirement.verdict == Verdict::pass, fail = requirement.verdict == Verdict::fail;
     auto* row = new QTreeWidgetItem(verdicts_);
     row->setText(0, QString::fromStdString(requirement.text));
+    row->setToolTip(0, row->text(0));
     row->setText(1, pass ? tr("pass") : fail ? tr("fail") : tr("undecided"));
     row->setData(1, Qt::UserRole, pass ? "pass" : fail ? "fail" : "undecided");
     row->setIcon(0, icon(pass ? "pass" : fail ? "fail" : "undecided"));

@@ -71,6 +71,8 @@ void RoomPage::addTools() {
   };
   connect(toggle("object", tr("Edges of objects"), true), &QAction::toggled, view_, &RoomView::setEdgesVisible);
   connect(toggle("aim", tr("Aiming lines"), true), &QAction::toggled, view_, &RoomView::setAimsVisible);
+  connect(toggle("luminaire", tr("Photometric solids of selected luminaires"), true), &QAction::toggled, view_,
+          &RoomView::setSolidsVisible);
   falseColour_ = toggle("grid", tr("Calculated illuminance on the grids"), true);
   connect(falseColour_, &QAction::toggled, this, [this](bool on) {
     view_->setOverlayVisible(on);
@@ -78,17 +80,25 @@ void RoomPage::addTools() {
   });
   connect(toggle("measure", tr("Measure a distance between two points"), false), &QAction::toggled, view_,
           &RoomView::setMeasuring);
-  cutting_ = toggle("cut", tr("Cut away what lies above a height"), false);
-  cutHeight_ = new QSlider(Qt::Horizontal, bar_);
-  cutHeight_->setRange(1, 100);
-  cutHeight_->setValue(60);
-  cutHeight_->setMaximumWidth(110);
-  cutHeight_->setToolTip(tr("Height of the cut"));
-  QAction* sliderAction = bar_->addWidget(cutHeight_);
-  sliderAction->setVisible(false);
-  connect(cutting_, &QAction::toggled, sliderAction, &QAction::setVisible);
+  cutting_ = toggle("cut", tr("Cut the room open"), false);
+  cutSide_ = new QComboBox(bar_);
+  cutSide_->setToolTip(tr("What is cut away"));
+  const QString sides[] = {tr("above"), tr("right of x"), tr("left of x"), tr("behind y"), tr("before y")};
+  for (const QString& side : sides) cutSide_->addItem(side);
+  cutPlace_ = new QSlider(Qt::Horizontal, bar_);
+  cutPlace_->setObjectName("cutPlace");
+  cutPlace_->setRange(1, 100);
+  cutPlace_->setValue(60);
+  cutPlace_->setMaximumWidth(90);
+  cutPlace_->setToolTip(tr("Place of the cut"));
+  for (QWidget* part : {static_cast<QWidget*>(cutSide_), static_cast<QWidget*>(cutPlace_)}) {
+    QAction* action = bar_->addWidget(part);
+    action->setVisible(false);
+    connect(cutting_, &QAction::toggled, action, &QAction::setVisible);
+  }
   connect(cutting_, &QAction::toggled, this, &RoomPage::updateCut);
-  connect(cutHeight_, &QSlider::valueChanged, this, &RoomPage::updateCut);
+  connect(cutSide_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &RoomPage::updateCut);
+  connect(cutPlace_, &QSlider::valueChanged, this, &RoomPage::updateCut);
   auto* space = new QWidget(bar_);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar_->addWidget(space);
@@ -106,7 +116,11 @@ void RoomPage::addTools() {
 
 void RoomPage::updateCut() {
   if (!scene_ || !cutting_->isChecked()) return view_->setCut(std::nullopt);
-  view_->setCut(scene_->low.z + (scene_->high.z - scene_->low.z) * cutHeight_->value() / 100.0);
+  // In the order of the choices.
+  constexpr Cut sides[] = {{2, 0, true}, {0, 0, true}, {0, 0, false}, {1, 0, true}, {1, 0, false}};
+  Cut cut = sides[cutSide_->currentIndex()];
+  cut.at = scene_->low[cut.axis] + (scene_->high[cut.axis] - scene_->low[cut.axis]) * cutPlace_->value() / 100.0;
+  view_->setCut(cut);
 }
 
 void RoomPage::showProject(const CheckedProject& checked, bool frame) {

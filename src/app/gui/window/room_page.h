@@ -34,7 +34,8 @@ class RoomPage final : public QWidget {
   Legend* legend_;
   QAction* falseColour_ = nullptr;
   QAction* cutting_ = nullptr;
-  QSlider* cutHeight_ = nullptr;
+  QComboBox* cutSide_ = nullptr;
+  QSlider* cutPlace_ = nullptr;
   QComboBox* views_ = nullptr;
   QComboBox* snap_ = nullptr;
   std::shared_ptr<const RoomScene> scene_;

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -47,13 +48,19 @@ SpectrumPage::SpectrumPage(QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  auto* side = new QWidget(this);
-  side->setFixedWidth(268);
+  auto* scroll = new QScrollArea(this);  // of a low window
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidgetResizable(true);
+  scroll->setFixedWidth(282);
+  auto* side = new QWidget(scroll);
+  scroll->setWidget(side);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(12, 12, 12, 12);
   column->setSpacing(10);
   list_ = new QListWidget(side);
   list_->setObjectName("spectra");
+  list_->setMinimumHeight(96);
   column->addWidget(list_, 1);
   auto* form = new QFormLayout;
   light_ = new QComboBox(side);
@@ -79,7 +86,7 @@ SpectrumPage::SpectrumPage(QWidget* parent)
   facts_->setTextFormat(Qt::RichText);
   facts_->setWordWrap(true);
   column->addWidget(facts_);
-  layout->addWidget(side);
+  layout->addWidget(scroll);
   paper_ = new Paper(tr("Choose a material or a luminaire."), this);
   layout->addWidget(paper_, 1);
   connect(list_, &QListWidget::currentRowChanged, this, &SpectrumPage::draw);
