@@ -59,7 +59,8 @@ void summarise(const std::vector<std::vector<double>>& replicates, const Systema
   e.maximum = extreme(-1);
 
   // A percentile grows with every value, so where no value is off by more than its half-width, it lies between the
-  // percentiles of all values less and plus theirs.
+  // percentiles of all values less and plus theirs. The half-widths are those that hold together for all points that may
+  // be at the percentile (Sidak).
   const auto percentile = [&](double fraction) {
     core::Estimate result{quantileOf(e.values, fraction), 0, {}};
     const auto reach = [&](const std::vector<double>& halfWidths) {
@@ -68,7 +69,14 @@ void summarise(const std::vector<std::vector<double>>& replicates, const Systema
       return std::max({quantileOf(std::move(high), fraction) - result.value,
                        result.value - quantileOf(std::move(low), fraction), 0.0});
     };
-    result.statistical = reach(e.statistical);
+    const double alone = reach(e.statistical);
+    std::size_t candidates = 0;
+    for (std::size_t i = 0; i < points; ++i)
+      candidates += std::abs(e.values[i] - result.value) <= 2 * e.statistical[i] + alone;
+    const double together = core::studentQuantile(dof, core::sidak(confidence, std::max<std::size_t>(candidates, 1)));
+    std::vector<double> widths = e.statistical;
+    for (double& width : widths) width *= together / quantile;
+    result.statistical = reach(widths);
     for (const auto& [cause, bounds] : bias) result.systematic[cause] = reach(bounds);
     return result;
   };

@@ -74,7 +74,8 @@ TEST_F(Installed, BashCompletesVerbsAndTheOptionsOfEach) {
   EXPECT_EQ(completed("goniolux ver", 1), "verify\n");
   EXPECT_EQ(completed("goniolux verify --res", 2), "--resume\n");
   EXPECT_EQ(completed("goniolux report --lang", 2), "--language\n");
-  EXPECT_EQ(completed("goniolux run --resu", 2), "\n") << "run has no such option";
+  EXPECT_EQ(completed("goniolux run --resu", 2), "--resume\n");
+  EXPECT_EQ(completed("goniolux run --lang", 2), "\n") << "run has no such option";
 }
 
 TEST_F(Installed, DesktopFileIsValid) {
