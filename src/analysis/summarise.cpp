@@ -59,8 +59,8 @@ void summarise(const std::vector<std::vector<double>>& replicates, const Systema
   e.maximum = extreme(-1);
 
   // A percentile grows with every value, so where no value is off by more than its half-width, it lies between the
-  // percentiles of all values less and plus theirs. The half-widths are those that hold together for all points that may
-  // be at the percentile (Sidak).
+  // percentiles of all values less and plus theirs. The half-widths are those that hold together for all points that
+  // may be at the percentile (Sidak).
   const auto percentile = [&](double fraction) {
     core::Estimate result{quantileOf(e.values, fraction), 0, {}};
     const auto reach = [&](const std::vector<double>& halfWidths) {

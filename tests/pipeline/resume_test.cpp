@@ -31,7 +31,8 @@ constexpr const char* office = R"({
     { "name": "screen", "shape": "box", "min": [1.9,0,0], "max": [2.0,2,1.8], "material": "grey" } ],
   "luminaires": [ { "name": "L", "photometry": "cosine", "flux": 2000, "position": [1.3,1.5,2.4], "group": "a",
                     "shape": { "rectangle": { "length": 0.6, "width": 0.6 } } },
-                  { "name": "M", "photometry": "isotropic", "flux": 500, "position": [3.3,2.5,2], "group": "b" } ],
+                  { "name": "M", "photometry": "cosine", "flux": 900, "position": [3,1.5,2.4], "group": "b",
+                    "shape": { "rectangle": { "length": 0.6, "width": 0.6 } } } ],
   "grids": [ { "name": "plane", "origin": [0,0,0.8], "u": [4,0,0], "v": [0,3,0], "counts": [10,8], "normal": [0,0,1] },
              { "name": "faces", "points": [[1,1,1.2],[3,1,1.2]], "normal": [1,0,0], "quantity": "cylindrical" } ],
   "observers": [ { "name": "seat", "eye": [3.8,1.5,1.2], "direction": [-1,0,0], "quantity": "ugr" } ],
@@ -91,8 +92,10 @@ class Resume : public testing::Test {
     return files;
   }
 
-  void expectSameAfterKills(Stage (*stage)(), unsigned seed, int longest) {
-    folder_.write("p/project.json", office);
+  void expectSameAfterKills(Stage (*stage)(), unsigned seed, int longest, const std::string& settings = "") {
+    std::string project = office;
+    project.insert(project.find("\"accuracy\""), settings);
+    folder_.write("p/project.json", project);
     ASSERT_EQ(ran(stage, "whole", false, 2), 0) << message();
     std::mt19937 random(seed);
     int kills = 0, last = -1;
@@ -128,7 +131,8 @@ TEST_F(Resume, PicturesAreTheSameAfterKills) {
 }
 
 TEST_F(Resume, ScenesAreTheSameAfterKills) {
-  expectSameAfterKills(scenesStage, 3, 150);
+  // By whole paths: the light solution is slow where a lamp that is off hangs close below a ceiling.
+  expectSameAfterKills(scenesStage, 3, 150, R"("solver": "path", )");
 }
 
 TEST_F(Resume, ARunWithOtherInputsOrSettingsIsRefusedAndToldWhichChanged) {
